@@ -1,0 +1,145 @@
+"""The contract between host and plugins: what a plugin may import besides ``model``.
+
+* ``specs``: every hook; ``hookimpl`` marks an implementation
+* ``manager``: loads plugins, checks them against the contract, calls them in a defined order
+* ``stream``: messages, subscriptions, the codec's Protocol
+* ``agent``, ``behaviour``, ``evaluator``, ``navigator``: on the robot
+* ``world``, ``robot_model``, ``sensor``, ``link``: in simulation
+* ``allocation``, ``incident``, ``statistic``: in supervision
+* ``picture``: in pictures
+* ``parameters``: in checks
+"""
+
+from __future__ import annotations
+
+from rqt_mrta_py.hooks.agent import Agent, AgentFactory, AgentSetup, Decision, Situation, TaskReport
+from rqt_mrta_py.hooks.allocation import (
+    AllocationInterpreter,
+    AllocationInterpreterFactory,
+    AllocationSign,
+    InterpreterSetup,
+)
+from rqt_mrta_py.hooks.behaviour import (
+    Behaviour,
+    BehaviourFactory,
+    BehaviourSetup,
+    BehaviourStep,
+    Command,
+    Perception,
+)
+from rqt_mrta_py.hooks.evaluator import SensoryEvaluator, SensoryEvaluatorFactory, SensorReading
+from rqt_mrta_py.hooks.incident import (
+    AllocationEnded,
+    AllocationStarted,
+    Fact,
+    IncidentBoard,
+    IncidentRule,
+    IncidentRuleFactory,
+    RobotHeard,
+    RobotSilent,
+    RobotStateChanged,
+    RuleSetup,
+    TaskStateChanged,
+)
+from rqt_mrta_py.hooks.link import Link
+from rqt_mrta_py.hooks.navigator import CostField, Navigator
+from rqt_mrta_py.hooks.parameters import ParameterProblem
+from rqt_mrta_py.hooks.picture import (
+    Curve,
+    CurveGroup,
+    CurvePanel,
+    MonitorPanel,
+    MonitorPanelFactory,
+    MonitorView,
+    PanelSetup,
+    Renderer,
+    RobotSight,
+    SceneView,
+)
+from rqt_mrta_py.hooks.robot_model import RobotModel
+from rqt_mrta_py.hooks.sensor import Sensor, SensorContext, SensorFactory
+from rqt_mrta_py.hooks.specs import PROJECT, HookSpecs, hookimpl
+from rqt_mrta_py.hooks.statistic import Statistic
+from rqt_mrta_py.hooks.stream import (
+    EVERYTHING,
+    Codec,
+    Connection,
+    FieldReader,
+    Heard,
+    Listener,
+    Outgoing,
+    Stamped,
+    Subscription,
+)
+from rqt_mrta_py.hooks.world import Body, BodyState, Contact, PlacedRobot, World, WorldFactory, WorldSetup
+
+__all__ = [
+    "EVERYTHING",
+    "PROJECT",
+    "Agent",
+    "AgentFactory",
+    "AgentSetup",
+    "AllocationEnded",
+    "AllocationInterpreter",
+    "AllocationInterpreterFactory",
+    "AllocationSign",
+    "AllocationStarted",
+    "Behaviour",
+    "BehaviourFactory",
+    "BehaviourSetup",
+    "BehaviourStep",
+    "Body",
+    "BodyState",
+    "Codec",
+    "Command",
+    "Connection",
+    "Contact",
+    "CostField",
+    "Curve",
+    "CurveGroup",
+    "CurvePanel",
+    "Decision",
+    "Fact",
+    "FieldReader",
+    "Heard",
+    "HookSpecs",
+    "IncidentBoard",
+    "IncidentRule",
+    "IncidentRuleFactory",
+    "InterpreterSetup",
+    "Link",
+    "Listener",
+    "MonitorPanel",
+    "MonitorPanelFactory",
+    "MonitorView",
+    "Navigator",
+    "Outgoing",
+    "PanelSetup",
+    "ParameterProblem",
+    "Perception",
+    "PlacedRobot",
+    "Renderer",
+    "RobotHeard",
+    "RobotModel",
+    "RobotSight",
+    "RobotSilent",
+    "RobotStateChanged",
+    "RuleSetup",
+    "SceneView",
+    "Sensor",
+    "SensorContext",
+    "SensorFactory",
+    "SensorReading",
+    "SensoryEvaluator",
+    "SensoryEvaluatorFactory",
+    "Situation",
+    "Stamped",
+    "Statistic",
+    "Subscription",
+    "TaskReport",
+    "TaskStateChanged",
+    "World",
+    "WorldFactory",
+    "WorldSetup",
+    "hookimpl",
+]

@@ -1,0 +1,54 @@
+"""How an architecture's own signs tell what became of an allocation.
+
+Topics alone say who holds a task; why it was let go, each architecture says in its own words. An interpreter hears
+them and answers in the supervisor's.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Callable, NamedTuple, Optional, Protocol, Sequence, Tuple
+
+from rqt_mrta_py.hooks.stream import Heard, Subscription
+from rqt_mrta_py.model import Outcome
+
+__all__ = ["AllocationInterpreter", "AllocationInterpreterFactory", "AllocationSign", "InterpreterSetup"]
+
+
+class AllocationSign(NamedTuple):
+    """What one message says of one robot and one task.
+
+    Attributes:
+        robot: normalised id.
+        task: its id.
+        outcome: how the allocation ended with this message; None: the robot still holds the task.
+        text: why, in a few words.
+    """
+
+    robot: str
+    task: str
+    outcome: Optional[Outcome] = None
+    text: str = ""
+
+
+@dataclass(frozen=True)
+class InterpreterSetup:
+    """What an interpreter is made from: ids of the known robots and tasks; both may be empty for a foreign bag."""
+
+    robots: Tuple[str, ...]
+    tasks: Tuple[str, ...]
+
+
+class AllocationInterpreter(Protocol):
+    """Reads one architecture's signs."""
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        """Say what to hear; asked once. Names must be absolute or patterns."""
+        ...
+
+    def hear(self, heard: Heard) -> Sequence[AllocationSign]:
+        """Answer what one message says of allocations; usually nothing."""
+        ...
+
+
+AllocationInterpreterFactory = Callable[[InterpreterSetup], AllocationInterpreter]

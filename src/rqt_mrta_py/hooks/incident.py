@@ -1,0 +1,165 @@
+"""Incident rules: what counts as going wrong, judged from facts of supervision and, if need be, from messages."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Callable, NamedTuple, Optional, Protocol, Sequence, Tuple, Union
+
+from rqt_mrta_py.hooks.stream import Heard, Subscription
+from rqt_mrta_py.model import Evidence, Mission, Outcome, RobotState, Severity, TaskState
+
+__all__ = [
+    "AllocationEnded",
+    "AllocationStarted",
+    "Fact",
+    "IncidentBoard",
+    "IncidentRule",
+    "IncidentRuleFactory",
+    "RobotHeard",
+    "RobotSilent",
+    "RobotStateChanged",
+    "RuleSetup",
+    "TaskStateChanged",
+]
+
+
+class RobotStateChanged(NamedTuple):
+    """A robot's state changed at a time [s]."""
+
+    time: float
+    robot: str
+    before: RobotState
+    after: RobotState
+
+
+class RobotSilent(NamedTuple):
+    """A robot has been silent on all its topics for so long that it counts as lost.
+
+    Attributes:
+        time: when the silence fell due [s].
+        robot: its id.
+        last: the newest message of any of its topics.
+    """
+
+    time: float
+    robot: str
+    last: Evidence
+
+
+class RobotHeard(NamedTuple):
+    """A robot was heard for the first time, or again after it had been silent."""
+
+    time: float
+    robot: str
+    message: Evidence
+
+
+class TaskStateChanged(NamedTuple):
+    """A task's state changed at a time [s]."""
+
+    time: float
+    task: str
+    before: TaskState
+    after: TaskState
+
+
+class AllocationStarted(NamedTuple):
+    """A robot began with a task at a time [s]; the message says so."""
+
+    time: float
+    robot: str
+    task: str
+    message: Evidence
+
+
+class AllocationEnded(NamedTuple):
+    """A robot's time with a task ended.
+
+    Attributes:
+        time: when [s].
+        robot, task: ids.
+        started: when it had begun [s].
+        outcome: how it ended.
+        last: the newest message that had named this robot with this task.
+    """
+
+    time: float
+    robot: str
+    task: str
+    started: float
+    outcome: Outcome
+    last: Evidence
+
+
+Fact = Union[RobotStateChanged, RobotSilent, RobotHeard, TaskStateChanged, AllocationStarted, AllocationEnded]
+
+
+class IncidentBoard(Protocol):
+    """Where a rule puts up incidents; each rule has its own, so keys never meet another rule's."""
+
+    def open(
+        self,
+        key: str,
+        severity: Severity,
+        start: float,
+        text: str,
+        robots: Sequence[str] = (),
+        tasks: Sequence[str] = (),
+        evidence: Sequence[Evidence] = (),
+    ) -> None:
+        """Put up an incident that still lasts; nothing happens if one with this key is open already.
+
+        Args:
+            key: names it among the rule's open incidents.
+            severity: how much it matters.
+            start: when it began [s]; may lie before now.
+            text: one sentence that a tired engineer understands.
+            robots, tasks: ids involved.
+            evidence: messages that show it.
+        """
+        ...
+
+    def close(self, key: str, end: float, text: Optional[str] = None, evidence: Sequence[Evidence] = ()) -> None:
+        """End an open incident; nothing happens if none has this key.
+
+        Args:
+            key: as given to ``open``.
+            end: when it ended [s].
+            text: replaces the sentence if given.
+            evidence: added to what was given.
+        """
+        ...
+
+    def wake_at(self, time: float) -> None:
+        """Ask for a call of ``wake`` once the stream has come to a time [s]."""
+        ...
+
+
+@dataclass(frozen=True)
+class RuleSetup:
+    """What a rule is made from: the mission as far as it is known."""
+
+    mission: Mission
+
+
+class IncidentRule(Protocol):
+    """One kind of thing that can go wrong."""
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        """Say which messages to hear besides the facts; usually none. Names must be absolute or patterns."""
+        ...
+
+    def hear(self, heard: Heard, board: IncidentBoard) -> None:
+        """Take in a message subscribed to."""
+        ...
+
+    def notice(self, fact: Fact, board: IncidentBoard) -> None:
+        """Take in a fact; facts come in the order in which the supervisor derives them."""
+        ...
+
+    def wake(self, time: float, board: IncidentBoard) -> None:
+        """Look again at a time asked for by ``wake_at`` [s]."""
+        ...
+
+
+IncidentRuleFactory = Callable[[RuleSetup], IncidentRule]

@@ -1,0 +1,195 @@
+"""The hook specifications: the whole contract with plugins on one page.
+
+The verb tells the role. ``mrta_register_*`` returns named things: answers of all plugins are joined, and of two
+plugins that register one name the one discovered first wins, as with packages. ``mrta_check_*`` returns problems:
+all are joined. ``mrta_on_*`` observes and returns nothing: an observer that raises is logged by name and skipped.
+A plugin that raises in any other hook, or returns what does not fit, stops the command with an error that names
+plugin and hook. Plugins are asked in the order of their discovery.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Mapping, Sequence
+
+import pluggy
+
+from rqt_mrta_py.hooks.agent import AgentFactory
+from rqt_mrta_py.hooks.allocation import AllocationInterpreterFactory
+from rqt_mrta_py.hooks.behaviour import BehaviourFactory
+from rqt_mrta_py.hooks.evaluator import SensoryEvaluatorFactory
+from rqt_mrta_py.hooks.incident import IncidentRuleFactory
+from rqt_mrta_py.hooks.parameters import ParameterProblem
+from rqt_mrta_py.hooks.picture import MonitorPanelFactory, Renderer
+from rqt_mrta_py.hooks.robot_model import RobotModel
+from rqt_mrta_py.hooks.sensor import SensorFactory
+from rqt_mrta_py.hooks.statistic import Statistic
+from rqt_mrta_py.hooks.world import WorldFactory
+from rqt_mrta_py.model import Event, Mission, MissionRecord, Task
+
+__all__ = ["PROJECT", "HookSpecs", "hookimpl"]
+
+PROJECT = "rqt_mrta_py"
+
+hookspec = pluggy.HookspecMarker(PROJECT)
+hookimpl = pluggy.HookimplMarker(PROJECT)
+
+
+class HookSpecs:
+    """Every hook, one empty method each; its docstring is its contract."""
+
+    @hookspec
+    def mrta_register_agents(self) -> Mapping[str, AgentFactory]:  # type: ignore[empty-body]
+        """Name the agents of architectures.
+
+        Called: once, before a run or a live agent starts.
+        Returns: factory by the package name of the architecture.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_register_allocation_interpreters(self) -> Mapping[str, AllocationInterpreterFactory]:  # type: ignore[empty-body]
+        """Name who reads an architecture's own signs of what became of an allocation.
+
+        Called: once, before supervision starts.
+        Returns: factory by the package name of the architecture; without one, topics alone decide.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_register_behaviours(self) -> Mapping[str, BehaviourFactory]:  # type: ignore[empty-body]
+        """Name who carries out tasks.
+
+        Called: once, before a run or a live agent starts.
+        Returns: factory by the kind of task.
+        Combined: joined; the first registration of a kind wins.
+        An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_register_sensory_evaluators(self) -> Mapping[str, SensoryEvaluatorFactory]:  # type: ignore[empty-body]
+        """Name who judges from sensors whether a task is applicable.
+
+        Called: once, before a run or a live agent starts.
+        Returns: factory by name, spelt ``package/name`` as in parameters.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_register_worlds(self) -> Mapping[str, WorldFactory]:  # type: ignore[empty-body]
+        """Name the worlds that robots can be simulated in.
+
+        Called: once, before a run starts.
+        Returns: factory by the name that ``--world`` and scenarios use.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_register_robot_models(self) -> Mapping[str, RobotModel]:  # type: ignore[empty-body]
+        """Name the kinds of robots.
+
+        Called: once, before a run, a live agent or a review starts.
+        Returns: model by the name that scenarios use.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_register_sensors(self) -> Mapping[str, SensorFactory]:  # type: ignore[empty-body]
+        """Name the sensors that robots can be given in simulation.
+
+        Called: once, before a run starts.
+        Returns: factory by the kind that scenarios use.
+        Combined: joined; the first registration of a kind wins.
+        An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_register_incident_rules(self) -> Mapping[str, IncidentRuleFactory]:  # type: ignore[empty-body]
+        """Name what counts as going wrong.
+
+        Called: once, before supervision starts.
+        Returns: factory by the rule's name, as written in incidents.
+        Combined: joined; the first registration of a name wins; rules are asked in the order of their names.
+        An exception: stops the command; one raised by a rule later on stops supervision.
+        """
+
+    @hookspec
+    def mrta_register_statistics(self) -> Mapping[str, Statistic]:  # type: ignore[empty-body]
+        """Name the numbers that sum up a mission.
+
+        Called: once, before supervision starts; each statistic once, when the stream has ended.
+        Returns: function by the key it has in ``summary.json``.
+        Combined: joined; the first registration of a name wins; written in the order of names.
+        An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_register_monitor_panels(self) -> Mapping[str, MonitorPanelFactory]:  # type: ignore[empty-body]
+        """Name the panels that show an architecture's inner life.
+
+        Called: once, before pictures are drawn.
+        Returns: factory by the name that architectures list as widget.
+        Combined: joined; the first registration of a name wins; a widget that nobody registers is left out.
+        An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_register_renderers(self) -> Mapping[str, Renderer]:  # type: ignore[empty-body]
+        """Name the pictures that can be drawn.
+
+        Called: once, before pictures are drawn.
+        Returns: function by name; ``monitor`` is drawn every picture period, ``dashboard`` at the end.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command; one raised while drawing stops it too.
+        """
+
+    @hookspec
+    def mrta_check_parameters(  # type: ignore[empty-body]
+        self, architecture: str, robot_id: str, parameters: Mapping[str, Any], tasks: Sequence[Task]
+    ) -> Sequence[ParameterProblem]:
+        """Find what is wrong with parameters that fit their templates.
+
+        Called: for each robot, before a run or a live agent starts.
+        Args: architecture: its package; a plugin answers for its own only. robot_id: whose parameters. parameters:
+        nested as in the robot's YAML file, complete, types checked. tasks: that this robot may carry out.
+        Returns: problems by the path of the parameter; empty if there are none.
+        Combined: joined, in order; file and line are added.
+        An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_on_mission_start(self, mission: Mission) -> None:
+        """Observe that a run or review begins.
+
+        Called: once, before the first message.
+        Args: mission: as far as it is known.
+        Returns: nothing.
+        Combined: all are called.
+        An exception: is logged; the others go on.
+        """
+
+    @hookspec
+    def mrta_on_event(self, event: Event) -> None:
+        """Observe a change that the supervisor noticed.
+
+        Called: once per event, in order, in a run as in a review.
+        Args: event: what changed.
+        Returns: nothing.
+        Combined: all are called.
+        An exception: is logged; the others go on.
+        """
+
+    @hookspec
+    def mrta_on_mission_end(self, record: MissionRecord) -> None:
+        """Observe that a run or review has ended.
+
+        Called: once, after the last message, before outputs are written.
+        Args: record: everything known of the mission.
+        Returns: nothing.
+        Combined: all are called.
+        An exception: is logged; the others go on.
+        """

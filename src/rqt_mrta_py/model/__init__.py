@@ -1,0 +1,100 @@
+"""What things are: robots, tasks, allocations, events, incidents, and the frozen specifications (stdlib only).
+
+* ``ids``, ``geometry``, ``taxonomy``, ``states``: small vocabularies
+* ``task``, ``application``, ``architecture``, ``parameters``, ``scenario``, ``mission``: what is asked for
+* ``record``: what was observed
+"""
+
+from __future__ import annotations
+
+from rqt_mrta_py.model.application import ApplicationRobot, ApplicationSpec
+from rqt_mrta_py.model.architecture import (
+    ArchitectureSpec,
+    IncludeSpec,
+    LaunchArgument,
+    LaunchTemplate,
+    MonitoredTopic,
+)
+from rqt_mrta_py.model.geometry import Pose, Twist, wrap_angle
+from rqt_mrta_py.model.ids import normalise_id, wire_id
+from rqt_mrta_py.model.mission import Mission, MissionTexts
+from rqt_mrta_py.model.parameters import (
+    ArrayTemplate,
+    ConfigTemplate,
+    MapTemplate,
+    ParameterTemplate,
+    ParameterType,
+    TemplateItem,
+)
+from rqt_mrta_py.model.record import (
+    Allocation,
+    Event,
+    Evidence,
+    Incident,
+    MissionRecord,
+    RobotInterval,
+    RobotRecord,
+    TaskInterval,
+    TaskRecord,
+)
+from rqt_mrta_py.model.scenario import (
+    Arena,
+    Obstacle,
+    RobotSetup,
+    ScenarioEvent,
+    ScenarioEventKind,
+    ScenarioSpec,
+    SensorSetup,
+)
+from rqt_mrta_py.model.states import Outcome, Progress, RobotState, Severity, TaskState
+from rqt_mrta_py.model.task import Task
+from rqt_mrta_py.model.taxonomy import AllocationType, RobotType, TaskType, Taxonomy
+
+__all__ = [
+    "Allocation",
+    "AllocationType",
+    "ApplicationRobot",
+    "ApplicationSpec",
+    "ArchitectureSpec",
+    "Arena",
+    "ArrayTemplate",
+    "ConfigTemplate",
+    "Event",
+    "Evidence",
+    "Incident",
+    "IncludeSpec",
+    "LaunchArgument",
+    "LaunchTemplate",
+    "MapTemplate",
+    "Mission",
+    "MissionRecord",
+    "MissionTexts",
+    "MonitoredTopic",
+    "Obstacle",
+    "Outcome",
+    "ParameterTemplate",
+    "ParameterType",
+    "Pose",
+    "Progress",
+    "RobotInterval",
+    "RobotRecord",
+    "RobotSetup",
+    "RobotState",
+    "RobotType",
+    "ScenarioEvent",
+    "ScenarioEventKind",
+    "ScenarioSpec",
+    "SensorSetup",
+    "Severity",
+    "Task",
+    "TaskInterval",
+    "TaskRecord",
+    "TaskState",
+    "TaskType",
+    "Taxonomy",
+    "TemplateItem",
+    "Twist",
+    "normalise_id",
+    "wire_id",
+    "wrap_angle",
+]

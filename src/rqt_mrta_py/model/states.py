@@ -1,0 +1,63 @@
+"""The closed sets of supervision: what state a robot, task, allocation or incident can be in."""
+
+from __future__ import annotations
+
+from enum import Enum
+
+__all__ = ["Outcome", "Progress", "RobotState", "Severity", "TaskState"]
+
+
+class RobotState(Enum):
+    """What the supervisor knows of a robot from the messages about it."""
+
+    IDLE = "idle"
+    BUSY = "busy"
+    OFFLINE = "offline"
+
+
+class TaskState(Enum):
+    """How far a task has come."""
+
+    WAITING = "waiting"
+    ALLOCATED = "allocated"
+    EXECUTING = "executing"
+    DONE = "done"
+    FAILED = "failed"
+    WITHDRAWN = "withdrawn"
+
+
+class Outcome(Enum):
+    """How one robot's time with one task ended."""
+
+    DONE = "done"
+    FAILED = "failed"
+    YIELDED = "yielded"
+    GAVE_UP = "gave_up"
+    LOST = "lost"
+    PREEMPTED = "preempted"
+    OPEN = "open"
+
+
+class Progress(Enum):
+    """What a behaviour says of the task it carries out, or an operator of a task."""
+
+    RUNNING = "running"
+    DONE = "done"
+    FAILED = "failed"
+    UNREACHABLE = "unreachable"
+    APPEARED = "appeared"
+    WITHDRAWN = "withdrawn"
+    REASSIGNED = "reassigned"
+
+
+class Severity(Enum):
+    """How much an incident matters; ordered by ``rank``."""
+
+    INFO = "info"
+    WARNING = "warning"
+    ERROR = "error"
+
+    @property
+    def rank(self) -> int:
+        """Give 0 for info, 1 for warning, 2 for error."""
+        return list(Severity).index(self)
