@@ -20,6 +20,7 @@ EXTRAS["test"] = [
     "ruff>=0.17,<0.18",
     "mypy>=1.14,<2",
     "types-PyYAML>=6,<7",
+    "types-setuptools>=75,<100",
     "lxml-stubs>=0.5,<1",
 ]
 

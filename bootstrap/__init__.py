@@ -1,0 +1,14 @@
+"""Makes a checkout ready to run: Debian packages, the virtual environment, Python packages, message classes.
+
+Runs on the standard library of any Python from 3.8 on, before anything is installed.
+
+* ``sequence``: the steps in their order, and when they are skipped
+* ``stamp``: what a finished set-up was made from
+* ``debian``: packages that come by apt
+* ``environment``: the virtual environment ``.venv``
+* ``packages``: what pip puts into it, and whether all of that imports (``probe``)
+* ``messages``: Python classes of ROS messages (``generate``)
+* ``shell``: what is said, what fails, what is started
+"""
+
+from __future__ import annotations

@@ -1,0 +1,90 @@
+"""The virtual environment ``.venv``: on the interpreter that runs this, sees the system's packages, has a new pip."""
+
+from __future__ import annotations
+
+import shutil
+import sys
+from pathlib import Path
+from typing import List, Optional
+
+from bootstrap import debian, shell
+from bootstrap.stamp import apt_allowed
+
+# Older ones, Ubuntu 20.04's for one, do not know the tags of today's wheels.
+PIP = "pip>=23.1"
+
+
+def python_of(checkout: Path) -> Path:
+    """Give the environment's interpreter.
+
+    Args:
+        checkout: Its root folder.
+
+    Returns:
+        Path, whether it exists or not.
+    """
+    return checkout / ".venv" / "bin" / "python"
+
+
+def mark(checkout: Path) -> Path:
+    """Give the file that stands while packages are being written: left behind, it tells of an interruption.
+
+    Args:
+        checkout: Its root folder.
+
+    Returns:
+        Path, whether it exists or not.
+    """
+    return checkout / ".venv" / "unfinished"
+
+
+def provide(checkout: Path, remake: bool) -> None:
+    """Make the environment unless a sound one is there.
+
+    Args:
+        checkout: Its root folder.
+        remake: True to start from nothing whatever is there.
+
+    Raises:
+        SetupError: Neither ensurepip nor virtualenv is at hand, or what is does not work.
+    """
+    if not remake and not mark(checkout).exists() and _is_sound(checkout):
+        return
+    folder = checkout / ".venv"
+    shell.say(f"making the virtual environment {folder}")
+    made = shell.run([*_maker(), "--system-site-packages", "--clear", str(folder)])
+    if made.returncode:
+        raise shell.SetupError(f"the virtual environment could not be made{shell.tail(made)}")
+    mark(checkout).touch()
+    pip = shell.run([str(python_of(checkout)), "-m", "pip", "install", "-qq", "--no-input", "--upgrade", PIP])
+    if pip.returncode:
+        raise shell.SetupError(f"pip could not be upgraded; is there a way to a package index?{shell.tail(pip)}")
+    mark(checkout).unlink()
+
+
+def _is_sound(checkout: Path) -> bool:
+    question = "import pip, sys; print(sys.prefix)"
+    answer = shell.run([str(python_of(checkout)), "-I", "-c", question])
+    return answer.returncode == 0 and answer.stdout.strip() == str(checkout / ".venv")
+
+
+def _maker() -> List[str]:
+    maker = _maker_at_hand()
+    if maker is None and apt_allowed() and shutil.which("apt-get"):
+        debian.install(["python3-venv"])
+        maker = _maker_at_hand()
+    if maker is None:
+        raise shell.SetupError(
+            f"{sys.executable} has neither ensurepip nor virtualenv; install the package python3-venv"
+        )
+    return maker
+
+
+def _maker_at_hand() -> Optional[List[str]]:
+    if shell.run([sys.executable, "-I", "-c", "import ensurepip, venv"]).returncode == 0:
+        return [sys.executable, "-m", "venv"]
+    if shell.run([sys.executable, "-I", "-c", "import virtualenv"]).returncode == 0:
+        return [sys.executable, "-m", "virtualenv"]
+    if shutil.which("virtualenv"):
+        return ["virtualenv", "--python", sys.executable]
+    return None

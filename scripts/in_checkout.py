@@ -1,0 +1,54 @@
+"""What the rosrun stubs share: find an interpreter that can run this project, then call a function of it.
+
+A checkout has its libraries in ``.venv``; roslaunch and rosrun start nodes with the system's Python, which may not.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import os
+import sys
+from pathlib import Path
+from typing import Optional
+
+# What the project imports sooner or later, by name; looking for them imports nothing.
+NEEDED = ("rqt_mrta_py", "catkin_pkg", "cv2", "lxml", "numpy", "pluggy", "pybullet", "rosbags", "rospkg", "yaml")
+
+
+def call(module: str, function: str, script: str) -> None:
+    """Leave the process with what a function returns, from the checkout's ``.venv`` if this interpreter lacks a library.
+
+    Args:
+        module: Where the function lives.
+        function: Its name; it takes no arguments and returns an exit code.
+        script: The stub's own path.
+    """
+    lacking = [name for name in NEEDED if importlib.util.find_spec(name) is None]
+    python = environment_above(Path(script).resolve()) if lacking else None
+    if python is not None and Path(sys.prefix).resolve() != python.parents[1]:
+        os.execv(str(python), [str(python), script, *sys.argv[1:]])
+    try:
+        entry = getattr(importlib.import_module(module), function)
+    except ImportError as error:
+        advice = "install rqt_mrta_py[all], or call ./run in a checkout"
+        sys.stderr.write(f"rqt_mrta_py: {sys.executable}: {error}; {advice}\n")
+            f"rqt_mrta_py: {sys.executable}: {error}; install rqt_mrta_py[all], or call ./run in a checkout\n"
+        )
+        sys.exit(4)
+    sys.exit(entry())
+
+
+def environment_above(script: Path) -> Optional[Path]:
+    """Find the interpreter of the checkout that a script belongs to.
+
+    Args:
+        script: Its resolved path.
+
+    Returns:
+        The checkout's ``.venv/bin/python``, or None outside of a checkout that was set up.
+    """
+    for folder in script.parents:
+        if (folder / ".venv" / "set-up.json").exists():
+            return folder / ".venv" / "bin" / "python"
+    return None
