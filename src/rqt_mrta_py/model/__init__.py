@@ -1,6 +1,6 @@
 """What things are: robots, tasks, allocations, events, incidents, and the frozen specifications (stdlib only).
 
-* ``ids``, ``geometry``, ``taxonomy``, ``states``: small vocabularies
+* ``ids``, ``names``, ``geometry``, ``taxonomy``, ``states``: small vocabularies
 * ``task``, ``application``, ``architecture``, ``parameters``, ``scenario``, ``mission``: what is asked for
 * ``record``: what was observed
 """
@@ -18,6 +18,7 @@ from rqt_mrta_py.model.architecture import (
 from rqt_mrta_py.model.geometry import Pose, Twist, wrap_angle
 from rqt_mrta_py.model.ids import normalise_id, wire_id
 from rqt_mrta_py.model.mission import Mission, MissionTexts
+from rqt_mrta_py.model.names import is_legal_name, namespace_of, resolve_name
 from rqt_mrta_py.model.parameters import (
     ArrayTemplate,
     ConfigTemplate,
@@ -94,7 +95,10 @@ __all__ = [
     "Taxonomy",
     "TemplateItem",
     "Twist",
+    "is_legal_name",
+    "namespace_of",
     "normalise_id",
+    "resolve_name",
     "wire_id",
     "wrap_angle",
 ]
