@@ -33,8 +33,6 @@ def call(module: str, function: str, script: str) -> None:
     except ImportError as error:
         advice = "install rqt_mrta_py[all], or call ./run in a checkout"
         sys.stderr.write(f"rqt_mrta_py: {sys.executable}: {error}; {advice}\n")
-            f"rqt_mrta_py: {sys.executable}: {error}; install rqt_mrta_py[all], or call ./run in a checkout\n"
-        )
         sys.exit(4)
     sys.exit(entry())
 
