@@ -1,0 +1,58 @@
+"""Fixtures and options for the whole suite."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from pathlib import Path
+from typing import Callable, List
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+SHARED_DATA = ROOT.parent / "shared" / "data"
+
+# Plugins are ROS packages: their Python folders are on no path until the host appends them.
+for source in sorted((ROOT / "plugins").glob("*/*/src")):
+    if str(source) not in sys.path:
+        sys.path.append(str(source))
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--long", action="store_true", help="run the long campaigns too")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: List[pytest.Item]) -> None:
+    if config.getoption("--long"):
+        return
+    skip = pytest.mark.skip(reason="a long campaign; ./test --long runs it")
+    for item in items:
+        if item.get_closest_marker("long"):
+            item.add_marker(skip)
+
+
+@pytest.fixture
+def root() -> Path:
+    """Give the root of the checkout."""
+    return ROOT
+
+
+@pytest.fixture
+def shared_data() -> Callable[[str], Path]:
+    """Find recorded data that is not part of the repository; skip the test where it is missing."""
+
+    def find(name: str) -> Path:
+        path = SHARED_DATA / name
+        if not path.exists():
+            pytest.skip(f"recorded data {name} is not on this machine")
+        return path
+
+    return find
+
+
+def require_module(name: str) -> object:
+    """Import a module that a test needs, or skip the test naming it."""
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        pytest.skip(f"{name} is not installed")
