@@ -1,0 +1,16 @@
+"""What stands on a robot: the host of its agent, what it hears, the running behaviour, ways on the known map.
+
+* ``host``: joins agent, behaviours and messages, one control tick at a time; does no I/O
+* ``cycle``: at which ticks the agent is stepped
+* ``perception``: the newest messages, as a behaviour sees them
+* ``commands``: a behaviour's commands as messages
+* ``notices``: task progress and log lines as messages
+* ``navigation``: the Navigator on an occupancy grid
+"""
+
+from __future__ import annotations
+
+from rqt_mrta_py.robot.host import HostSetup, RobotHost
+from rqt_mrta_py.robot.navigation import GridNavigator
+
+__all__ = ["GridNavigator", "HostSetup", "RobotHost"]
