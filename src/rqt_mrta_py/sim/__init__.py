@@ -1,0 +1,23 @@
+"""Simulated missions: worlds, and the robots' hardware in them.
+
+* ``bullet``: BulletWorld, wheels and contacts in PyBullet
+* ``robot_models``: the kinds of robots that this room brings
+* ``sensors``: range finder, odometry, localiser; one file each
+* ``simulated_robot``: one robot's hardware as a node: sensors, transforms, ``cmd_vel``
+* ``transforms``: ``/tf`` from odometry and localiser
+* ``schedule``: rates in ticks
+* ``placement``, ``requirements``, ``scenario_events``: what is wrong with a scenario, before anything is built
+* ``simulation``: world, robots and scenario events, tick by tick
+* ``links``: the radio
+* ``messages``: fields of standard messages
+* ``plugin``: registers all this by the same hooks that strangers use
+"""
+
+from __future__ import annotations
+
+from rqt_mrta_py.sim.links import PerfectLink
+from rqt_mrta_py.sim.scenario_events import label_of
+from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
+from rqt_mrta_py.sim.simulation import Simulation
+
+__all__ = ["PerfectLink", "SimulatedRobot", "Simulation", "label_of"]

@@ -1,0 +1,141 @@
+"""What is neither robot nor fixed: blocks to push and carry."""
+
+from __future__ import annotations
+
+import math
+from typing import Dict, NamedTuple, Optional
+
+from rqt_mrta_py.errors import SimError
+from rqt_mrta_py.hooks import Body, BodyState
+from rqt_mrta_py.sim.bullet.engine import Engine
+from rqt_mrta_py.sim.bullet.wheeled_robot import WheeledRobot
+
+__all__ = ["LooseBodies"]
+
+_BASE = -1
+_ROBOT_LINKS = (_BASE, 0, 1)
+
+
+class _Hold(NamedTuple):
+    """A body's attachment: to whom, by which of PyBullet's constraints."""
+
+    robot_id: str
+    robot: WheeledRobot
+    constraint: int
+
+
+class LooseBodies:
+    """The loose bodies of one physics client, by id, in the order of their adding."""
+
+    def __init__(self, engine: Engine) -> None:
+        self._engine = engine
+        self._bodies: Dict[str, int] = {}
+        self._holds: Dict[str, _Hold] = {}
+
+    def __contains__(self, body_id: object) -> bool:
+        return body_id in self._bodies
+
+    def add(self, body: Body) -> int:
+        """Build a body, whose id must not be taken.
+
+        Returns:
+            PyBullet's number of the body.
+
+        Raises:
+            SimError: its numbers make no body.
+        """
+        numbers = (*body.position, body.yaw, *body.size, body.mass, body.friction)
+        if not all(map(math.isfinite, numbers)) or min(*body.size, body.mass) <= 0 or body.friction < 0:
+            raise SimError(
+                f"body {body.id}: size and mass must be above 0, friction at least 0, everything finite (got {body})"
+            )
+        bullet, client = self._engine.bullet, self._engine.client
+        half_extents = tuple(side / 2 for side in body.size)
+        number: int = bullet.createMultiBody(
+            body.mass,
+            bullet.createCollisionShape(bullet.GEOM_BOX, halfExtents=half_extents, physicsClientId=client),
+            basePosition=body.position,
+            baseOrientation=(0.0, 0.0, math.sin(body.yaw / 2), math.cos(body.yaw / 2)),
+            physicsClientId=client,
+        )
+        bullet.changeDynamics(number, _BASE, lateralFriction=body.friction, physicsClientId=client)
+        self._bodies[body.id] = number
+        return number
+
+    def remove(self, body_id: str) -> int:
+        """Take a body out of the world, off its carrier if it has one.
+
+        Returns:
+            PyBullet's number of the body that was.
+
+        Raises:
+            SimError: there is no such body.
+        """
+        number = self._number(body_id)
+        if body_id in self._holds:
+            self.detach(body_id)
+        self._engine.bullet.removeBody(number, physicsClientId=self._engine.client)
+        del self._bodies[body_id]
+        return number
+
+    def attach(self, robot_id: str, robot: WheeledRobot, body_id: str) -> None:
+        """Fix a body to a robot in their present relative pose; until detached, the two do not collide.
+
+        Raises:
+            SimError: there is no such body, or it is attached already.
+        """
+        number = self._number(body_id)
+        if body_id in self._holds:
+            holder = self._holds[body_id].robot_id
+            raise SimError(f"body {body_id}: attached to {holder} already; detach it before {robot_id} takes it")
+        bullet, client = self._engine.bullet, self._engine.client
+        to_robot = bullet.invertTransform(*bullet.getBasePositionAndOrientation(robot.body, physicsClientId=client))
+        at_body = bullet.getBasePositionAndOrientation(number, physicsClientId=client)
+        position, orientation = bullet.multiplyTransforms(*to_robot, *at_body)
+        constraint = bullet.createConstraint(
+            robot.body,
+            _BASE,
+            number,
+            _BASE,
+            bullet.JOINT_FIXED,
+            (0.0, 0.0, 0.0),
+            position,
+            (0.0, 0.0, 0.0),
+            parentFrameOrientation=orientation,
+            physicsClientId=client,
+        )
+        self._holds[body_id] = _Hold(robot_id, robot, constraint)
+        self._collide(robot, number, enabled=False)
+
+    def detach(self, body_id: str) -> None:
+        """Let go of a body.
+
+        Raises:
+            SimError: there is no such body, or nobody holds it.
+        """
+        number = self._number(body_id)
+        hold = self._holds.pop(body_id, None)
+        if hold is None:
+            raise SimError(f"body {body_id}: not attached to any robot, so it cannot be detached")
+        self._engine.bullet.removeConstraint(hold.constraint, physicsClientId=self._engine.client)
+        self._collide(hold.robot, number, enabled=True)
+
+    def states(self) -> Dict[str, BodyState]:
+        """Give where every body is."""
+        bullet, client = self._engine.bullet, self._engine.client
+        return {
+            body_id: BodyState(*bullet.getBasePositionAndOrientation(number, physicsClientId=client))
+            for body_id, number in self._bodies.items()
+        }
+
+    def _number(self, body_id: str) -> int:
+        number: Optional[int] = self._bodies.get(body_id)
+        if number is None:
+            raise SimError(f"body {body_id}: there is no such body; there are: {', '.join(self._bodies) or 'none'}")
+        return number
+
+    def _collide(self, robot: WheeledRobot, number: int, *, enabled: bool) -> None:
+        for link in _ROBOT_LINKS:
+            self._engine.bullet.setCollisionFilterPair(
+                robot.body, number, link, _BASE, int(enabled), physicsClientId=self._engine.client
+            )

@@ -1,0 +1,161 @@
+"""A robot on two driven wheels and two casters, as quick to simulate as it can be without driving wrongly.
+
+The body is one compound shape with its casters, the wheels are spheres: two links instead of four bodies. Casters at
+the height of the wheels would carry most of the weight and let the wheels skid, so they stand off the floor.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Optional
+
+from rqt_mrta_py.hooks import PlacedRobot, RobotModel
+from rqt_mrta_py.model import Twist
+from rqt_mrta_py.sim.bullet.engine import Engine
+
+__all__ = ["WheeledRobot"]
+
+_WHEEL_MASS_SHARE = 0.3 / 5.6
+_MOTOR_TORQUE = 1.0
+_GROUND_CLEARANCE = 0.01
+"""From the top of the wheels' radius to the underside of the body [m]."""
+_CASTER_CLEARANCE = 0.001
+_CENTRE_OF_MASS_DROP = 0.01
+"""How far the centre of mass lies below the middle of the body [m]."""
+_LEFT, _RIGHT = 0, 1
+_BASE = -1
+
+
+class WheeledRobot:
+    """One robot with differential drive in one physics client.
+
+    Attributes:
+        body: PyBullet's number of the body.
+        model: what it is like.
+    """
+
+    def __init__(self, engine: Engine, robot: PlacedRobot) -> None:
+        self.model = robot.model
+        self.body = _build(engine, robot)
+        self._engine = engine
+        self._twist = Twist()
+        self._anchor: Optional[int] = None
+        self._drive(self._twist)
+
+    @property
+    def is_frozen(self) -> bool:
+        """Tell whether the robot is held in its place."""
+        return self._anchor is not None
+
+    def command(self, twist: Twist) -> None:
+        """Set the velocity to be driven; remembered but not obeyed while frozen.
+
+        Args:
+            twist: in the robot's frame; the part to the left is beyond a differential drive and left out.
+        """
+        if twist == self._twist:
+            return
+        self._twist = twist
+        if not self.is_frozen:
+            self._drive(twist)
+
+    def freeze(self) -> None:
+        """Block the wheels and hold the body where it is, for wheels alone would slip under a push."""
+        if self.is_frozen:
+            return
+        bullet, client = self._engine.bullet, self._engine.client
+        self._drive(Twist())
+        position, orientation = bullet.getBasePositionAndOrientation(self.body, physicsClientId=client)
+        self._anchor = bullet.createConstraint(
+            self.body,
+            _BASE,
+            -1,
+            -1,
+            bullet.JOINT_FIXED,
+            (0.0, 0.0, 0.0),
+            (0.0, 0.0, 0.0),
+            position,
+            childFrameOrientation=orientation,
+            physicsClientId=client,
+        )
+
+    def release(self) -> None:
+        """Let the robot drive again, by its newest command."""
+        if self._anchor is not None:
+            self._engine.bullet.removeConstraint(self._anchor, physicsClientId=self._engine.client)
+            self._anchor = None
+            self._drive(self._twist)
+
+    def _drive(self, twist: Twist) -> None:
+        """Turn the wheels: v_left,right = v -+ w track / 2, over the wheels' radius."""
+        across = twist.wz * self.model.track / 2
+        radius = self.model.wheel_radius
+        bullet = self._engine.bullet
+        bullet.setJointMotorControlArray(
+            self.body,
+            (_LEFT, _RIGHT),
+            bullet.VELOCITY_CONTROL,
+            targetVelocities=((twist.vx - across) / radius, (twist.vx + across) / radius),
+            forces=(_MOTOR_TORQUE, _MOTOR_TORQUE),
+            physicsClientId=self._engine.client,
+        )
+
+
+def _build(engine: Engine, robot: PlacedRobot) -> int:
+    """Build the body with its frame at the centre of mass, the wheels on the floor."""
+    bullet, client, model = engine.bullet, engine.client, robot.model
+    underside = model.wheel_radius + _GROUND_CLEARANCE
+    frame_height = (underside + model.height) / 2 - _CENTRE_OF_MASS_DROP
+    wheel_mass = model.mass * _WHEEL_MASS_SHARE
+    wheel = bullet.createCollisionShape(bullet.GEOM_SPHERE, radius=model.wheel_radius, physicsClientId=client)
+    wheel_drop = model.wheel_radius - frame_height
+    level = (0.0, 0.0, 0.0, 1.0)
+    body: int = bullet.createMultiBody(
+        baseMass=model.mass - 2 * wheel_mass,
+        baseCollisionShapeIndex=_body_shape(engine, model, frame_height),
+        basePosition=(robot.start.x, robot.start.y, frame_height),
+        baseOrientation=(0.0, 0.0, math.sin(robot.start.yaw / 2), math.cos(robot.start.yaw / 2)),
+        linkMasses=(wheel_mass, wheel_mass),
+        linkCollisionShapeIndices=(wheel, wheel),
+        linkVisualShapeIndices=(-1, -1),
+        linkPositions=((0.0, model.track / 2, wheel_drop), (0.0, -model.track / 2, wheel_drop)),
+        linkOrientations=(level, level),
+        linkInertialFramePositions=((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)),
+        linkInertialFrameOrientations=(level, level),
+        linkParentIndices=(0, 0),
+        linkJointTypes=(bullet.JOINT_REVOLUTE, bullet.JOINT_REVOLUTE),
+        linkJointAxis=((0.0, 1.0, 0.0), (0.0, 1.0, 0.0)),
+        physicsClientId=client,
+    )
+    bullet.changeDynamics(body, _BASE, lateralFriction=0.0, physicsClientId=client)
+    for link in (_LEFT, _RIGHT):
+        bullet.changeDynamics(body, link, lateralFriction=1.0, physicsClientId=client)
+    return body
+
+
+def _body_shape(engine: Engine, model: RobotModel, frame_height: float) -> int:
+    """Join the box and the casters in front and behind into one shape."""
+    bullet = engine.bullet
+    underside = model.wheel_radius + _GROUND_CLEARANCE
+    caster_radius = underside / 2
+    caster_x = model.length / 2 - caster_radius - 0.01
+    caster_z = caster_radius + _CASTER_CLEARANCE - frame_height
+    level = [0.0, 0.0, 0.0, 1.0]
+    # Lists throughout: this call crashes on tuples.
+    shape: int = bullet.createCollisionShapeArray(
+        shapeTypes=[bullet.GEOM_BOX, bullet.GEOM_SPHERE, bullet.GEOM_SPHERE],
+        halfExtents=[
+            [model.length / 2, model.width / 2, (model.height - underside) / 2],
+            [0.0, 0.0, 0.0],
+            [0.0, 0.0, 0.0],
+        ],
+        radii=[0.0, caster_radius, caster_radius],
+        collisionFramePositions=[
+            [0.0, 0.0, _CENTRE_OF_MASS_DROP],
+            [caster_x, 0.0, caster_z],
+            [-caster_x, 0.0, caster_z],
+        ],
+        collisionFrameOrientations=[level, level, level],
+        physicsClientId=engine.client,
+    )
+    return shape

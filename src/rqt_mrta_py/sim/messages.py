@@ -1,0 +1,48 @@
+"""Fields of standard messages, as the codec takes them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Dict, Mapping
+
+from rqt_mrta_py.model import Pose
+
+__all__ = ["header", "pose_fields", "pose_of", "quaternion", "transform"]
+
+
+def header(now: float, frame: str) -> Dict[str, Any]:
+    """Give a std_msgs/Header.
+
+    Args:
+        now: its stamp [s].
+        frame: its frame_id.
+    """
+    return {"stamp": now, "frame_id": frame}
+
+
+def quaternion(yaw: float) -> Dict[str, float]:
+    """Give a geometry_msgs/Quaternion that turns by ``yaw`` [rad] about the vertical."""
+    return {"x": 0.0, "y": 0.0, "z": math.sin(yaw / 2), "w": math.cos(yaw / 2)}
+
+
+def pose_fields(pose: Pose) -> Dict[str, Any]:
+    """Give a geometry_msgs/Pose on the floor."""
+    return {"position": {"x": pose.x, "y": pose.y, "z": 0.0}, "orientation": quaternion(pose.yaw)}
+
+
+def pose_of(fields: Mapping[str, Any]) -> Pose:
+    """Read a geometry_msgs/Pose on the floor."""
+    position, orientation = fields["position"], fields["orientation"]
+    return Pose(position["x"], position["y"], 2 * math.atan2(orientation["z"], orientation["w"]))
+
+
+def transform(now: float, parent: str, child: str, pose: Pose) -> Dict[str, Any]:
+    """Give a geometry_msgs/TransformStamped: where ``child`` stands in ``parent``."""
+    return {
+        "header": header(now, parent),
+        "child_frame_id": child,
+        "transform": {
+            "translation": {"x": pose.x, "y": pose.y, "z": 0.0},
+            "rotation": quaternion(pose.yaw),
+        },
+    }

@@ -1,0 +1,53 @@
+"""What this room brings, registered like anything that strangers bring."""
+
+from __future__ import annotations
+
+from typing import Mapping
+
+from rqt_mrta_py.hooks import RobotModel, Sensor, SensorContext, SensorFactory, World, WorldFactory, hookimpl
+
+__all__ = ["mrta_register_robot_models", "mrta_register_sensors", "mrta_register_worlds"]
+
+
+@hookimpl
+def mrta_register_worlds() -> Mapping[str, WorldFactory]:
+    """Name the worlds of this room."""
+    return {"bullet": _bullet}
+
+
+@hookimpl
+def mrta_register_robot_models() -> Mapping[str, RobotModel]:
+    """Name the robot models of this room."""
+    from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
+
+    return {DIFF_DRIVE.name: DIFF_DRIVE}
+
+
+@hookimpl
+def mrta_register_sensors() -> Mapping[str, SensorFactory]:
+    """Name the sensors of this room."""
+    return {"localiser": _localiser, "odometry": _odometry, "range_finder": _range_finder}
+
+
+def _bullet() -> World:
+    from rqt_mrta_py.sim.bullet import BulletWorld
+
+    return BulletWorld()
+
+
+def _localiser(context: SensorContext) -> Sensor:
+    from rqt_mrta_py.sim.sensors import Localiser
+
+    return Localiser(context)
+
+
+def _odometry(context: SensorContext) -> Sensor:
+    from rqt_mrta_py.sim.sensors import Odometry
+
+    return Odometry(context)
+
+
+def _range_finder(context: SensorContext) -> Sensor:
+    from rqt_mrta_py.sim.sensors import RangeFinder
+
+    return RangeFinder(context)

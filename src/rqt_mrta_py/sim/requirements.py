@@ -1,0 +1,55 @@
+"""What a scenario needs and whether somebody brings it."""
+
+from __future__ import annotations
+
+import difflib
+from typing import Collection, Dict, Iterator, Mapping
+
+from rqt_mrta_py.hooks import RobotModel, SensorFactory, World, WorldFactory
+from rqt_mrta_py.model import ScenarioSpec
+
+__all__ = ["missing_capabilities", "missing_names"]
+
+
+def missing_names(
+    scenario: ScenarioSpec,
+    models: Mapping[str, RobotModel],
+    sensors: Mapping[str, SensorFactory],
+    worlds: Mapping[str, WorldFactory],
+) -> Iterator[str]:
+    """Find the world, models and sensors that a scenario names but nobody registers.
+
+    Yields:
+        One line for each, in file order, with what there is.
+    """
+    if scenario.world not in worlds:
+        yield f"scenario: no world {scenario.world!r}{_offer(scenario.world, worlds)}"
+    for robot in scenario.robots:
+        if robot.model not in models:
+            yield f"robot {robot.id}: no robot model {robot.model!r}{_offer(robot.model, models)}"
+        for sensor in robot.sensors:
+            if sensor.kind not in sensors:
+                yield f"robot {robot.id}: no sensor {sensor.kind!r} for {sensor.topic}{_offer(sensor.kind, sensors)}"
+
+
+def missing_capabilities(scenario: ScenarioSpec, models: Mapping[str, RobotModel], world: World) -> Iterator[str]:
+    """Find what a scenario asks of its world beyond what that can do.
+
+    Yields:
+        One line for each, in file order, with what the world can do.
+    """
+    needs: Dict[str, str] = {}
+    for robot in scenario.robots:
+        needs.setdefault(f"drive:{models[robot.model].drive}", f"robot {robot.id}")
+    for event in scenario.events:
+        needs.setdefault("freeze", f"event {event.kind.value} at {event.time:g} s")
+    for capability, who in needs.items():
+        if capability not in world.capabilities:
+            offered = ", ".join(sorted(world.capabilities)) or "nothing"
+            yield f"{who}: world {scenario.world} lacks {capability}; it can do: {offered}"
+
+
+def _offer(name: str, known: Collection[str]) -> str:
+    near = difflib.get_close_matches(name, sorted(known), n=1)
+    hint = f"did you mean {near[0]}? " if near else ""
+    return f"; {hint}there are: {', '.join(sorted(known)) or 'none'}"

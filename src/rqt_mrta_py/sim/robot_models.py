@@ -1,0 +1,26 @@
+"""The kinds of robots that this room brings."""
+
+from __future__ import annotations
+
+from rqt_mrta_py.hooks import RobotModel
+
+__all__ = ["DIFF_DRIVE"]
+
+DIFF_DRIVE = RobotModel(
+    name="diff_drive",
+    drive="differential",
+    length=0.30,
+    width=0.22,
+    height=0.14,
+    # Over the corners of the body; the wheels' outer sides lie 0.18 m from the centre.
+    radius=0.19,
+    mass=5.6,
+    wheel_radius=0.05,
+    track=0.26,
+    max_speed=0.5,
+    max_turn_rate=2.0,
+    # Above the wheels, below the top: the plane in which robots see one another.
+    sensor_height=0.12,
+    capabilities=frozenset({"drive", "range"}),
+)
+"""A small robot on two driven wheels and two casters."""

@@ -1,0 +1,85 @@
+"""A planar range finder."""
+
+from __future__ import annotations
+
+import math
+from typing import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rqt_mrta_py.hooks import Outgoing, SensorContext, World
+from rqt_mrta_py.model import Pose
+from rqt_mrta_py.sim.messages import header
+from rqt_mrta_py.sim.sensors.settings import SensorSettings
+
+__all__ = ["RangeFinder"]
+
+_FULL_TURN = 2 * math.pi
+
+
+class RangeFinder:
+    """Publishes sensor_msgs/LaserScan from the robot's centre, in ``<robot>/base_link``.
+
+    A measured range is true range + N(0, noise + noise_per_metre * true range); every ray is lost with probability
+    ``dropout``. As REP-117 says: nothing seen is +inf, too near to be measured is -inf.
+
+    Parameters in a scenario:
+        rays: how many, evenly spread; 36.
+        fov: angle between first and last ray, centred on the heading; a full turn (2 pi, the default) has no last
+            ray on top of the first [rad].
+        min_range, max_range: what can be measured; 0.05 and 4 [m].
+        noise: standard deviation at no distance; 0.01 [m].
+        noise_per_metre: what it grows by; 0.01 [m/m].
+        dropout: 0.005.
+    """
+
+    def __init__(self, context: SensorContext) -> None:
+        settings = SensorSettings(context)
+        rays = settings.whole("rays", 36)
+        fov = settings.number("fov", _FULL_TURN, above=True, most=_FULL_TURN + 1e-4)
+        self._min_range = settings.number("min_range", 0.05)
+        self._max_range = settings.number("max_range", 4.0, above=True)
+        if self._max_range <= self._min_range:
+            settings.refuse("max_range", self._max_range, f"must be above min_range ({self._min_range:g})")
+        self._noise = settings.number("noise", 0.01)
+        self._noise_per_metre = settings.number("noise_per_metre", 0.01)
+        self._dropout = settings.number("dropout", 0.005, most=1.0)
+        settings.finish()
+        self._robot_id = context.robot_id
+        self._topic = context.setup.topic
+        self._random = context.random
+        self._bearings = _bearings(rays, fov)
+        increment = float(self._bearings[1] - self._bearings[0]) if rays > 1 else 0.0
+        self._constant = {
+            "angle_min": float(self._bearings[0]),
+            "angle_max": float(self._bearings[-1]),
+            "angle_increment": increment,
+            "scan_time": 1.0 / context.setup.rate,
+            "range_min": self._min_range,
+            "range_max": self._max_range,
+        }
+
+    def sense(self, now: float, truth: Pose, world: World) -> Sequence[Outgoing]:
+        """Measure once; draws as many random numbers whatever is seen."""
+        true = world.ranges(self._robot_id, self._bearings, self._max_range)
+        noise = self._random.standard_normal(true.size)
+        lost = self._random.random(true.size) < self._dropout
+        with np.errstate(invalid="ignore"):  # infinity times a noise of nothing
+            measured = true + noise * (self._noise + self._noise_per_metre * true)
+        measured[measured < self._min_range] = -np.inf
+        measured[lost | np.isinf(true) | (measured > self._max_range)] = np.inf
+        fields = {
+            "header": header(now, f"{self._robot_id}/base_link"),
+            **self._constant,
+            "ranges": measured.tolist(),
+        }
+        return (Outgoing(self._topic, "sensor_msgs/LaserScan", fields),)
+
+
+def _bearings(rays: int, fov: float) -> NDArray[np.float64]:
+    """Spread rays evenly, symmetric about the heading unless they go all around [rad]."""
+    places = np.arange(rays, dtype=np.float64)
+    if fov > _FULL_TURN - 1e-4:
+        return -math.pi + places * (_FULL_TURN / rays)
+    return (places - (rays - 1) / 2) * (fov / max(1, rays - 1))

@@ -1,0 +1,87 @@
+"""Reads what a scenario sets for one sensor; what is wrong is told all at once."""
+
+from __future__ import annotations
+
+import difflib
+import math
+from typing import Any, List, Set
+
+from rqt_mrta_py.errors import SimError
+from rqt_mrta_py.hooks import SensorContext
+
+__all__ = ["SensorSettings"]
+
+
+class SensorSettings:
+    """The parameters of one sensor: asked for one by one, then finished, so that those nobody asked for are found.
+
+    Args:
+        context: of the sensor.
+    """
+
+    def __init__(self, context: SensorContext) -> None:
+        self._where = f"robot {context.robot_id}: sensor {context.setup.kind} on {context.setup.topic}"
+        self._values = context.setup.parameters
+        self._asked: Set[str] = set()
+        self._problems: List[str] = []
+
+    def number(
+        self, name: str, default: float, *, least: float = 0.0, most: float = math.inf, above: bool = False
+    ) -> float:
+        """Read a finite number.
+
+        Args:
+            name: of the parameter.
+            default: if the scenario does not set it.
+            least: lower bound, accepted.
+            most: upper bound, accepted.
+            above: True if ``least`` itself is not accepted.
+
+        Returns:
+            The value, or the default if the value is not acceptable; ``finish`` then raises.
+        """
+        value = self._ask(name, default)
+        is_number = isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+        if is_number and least <= value <= most and not (above and value == least):
+            return float(value)
+        bounds = f"{'above' if above else 'at least'} {least:g}" + (f", at most {most:g}" if most < math.inf else "")
+        return self._refuse(name, value, f"must be a number {bounds}", default)
+
+    def whole(self, name: str, default: int, *, least: int = 1) -> int:
+        """Read a whole number of at least ``least``; as ``number`` otherwise."""
+        value = self._ask(name, default)
+        if isinstance(value, int) and not isinstance(value, bool) and value >= least:
+            return value
+        return int(self._refuse(name, value, f"must be a whole number of at least {least}", default))
+
+    def refuse(self, name: str, value: object, accepted: str) -> None:
+        """Note that a value does not go with the others; ``finish`` then raises.
+
+        Args:
+            name: of the parameter.
+            value: what it is.
+            accepted: what it must be, as in ``must be above min_range (0.05)``.
+        """
+        self._problems.append(f"{self._where}: parameter {name}: {accepted} (got {value!r})")
+
+    def finish(self) -> None:
+        """End the reading.
+
+        Raises:
+            SimError: a value is not acceptable, or a parameter is unknown; one line for each.
+        """
+        for name in sorted(set(self._values) - self._asked, key=str):
+            near = difflib.get_close_matches(str(name), sorted(self._asked), n=1)
+            hint = f"did you mean {near[0]}? " if near else ""
+            accepted = ", ".join(sorted(self._asked))
+            self._problems.append(f"{self._where}: parameter {name}: unknown; {hint}there are: {accepted}")
+        if self._problems:
+            raise SimError("\n".join(self._problems))
+
+    def _ask(self, name: str, default: float) -> Any:
+        self._asked.add(name)
+        return self._values.get(name, default)
+
+    def _refuse(self, name: str, value: object, accepted: str, default: float) -> float:
+        self.refuse(name, value, accepted)
+        return default

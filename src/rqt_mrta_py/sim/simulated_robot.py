@@ -1,0 +1,152 @@
+"""The hardware of one simulated robot, as a node ``/<robot>/driver``."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Callable, List, Mapping, Sequence, Tuple
+
+from rqt_mrta_py.errors import SimError
+from rqt_mrta_py.hooks import (
+    Heard,
+    Outgoing,
+    RobotModel,
+    Sensor,
+    SensorContext,
+    SensorFactory,
+    Subscription,
+    World,
+)
+from rqt_mrta_py.model import Pose, RobotSetup, Twist
+from rqt_mrta_py.sim.schedule import Schedule
+from rqt_mrta_py.sim.transforms import TransformSource
+
+if TYPE_CHECKING:
+    import numpy as np
+
+__all__ = ["COMMAND_TIMEOUT", "SimulatedRobot"]
+
+COMMAND_TIMEOUT = 0.5
+"""A robot stands still once its newest command is older than this [s]."""
+
+_CMD_VEL = Subscription("cmd_vel", "geometry_msgs/Twist", ("linear/x", "linear/y", "angular/z"))
+_ROUNDING = 1e-6
+_STILL = Twist()
+
+
+class SimulatedRobot:
+    """Hears ``cmd_vel``, runs its sensors at their rates, publishes what they measure and ``/tf``.
+
+    Attributes:
+        id: the robot's.
+        model: what it is like.
+        node: resolved name of its node.
+        is_stopped: True while it stands still and is silent.
+
+    Args:
+        setup: the robot in the scenario.
+        model: what it is like.
+        sensors: factories by kind; every kind of the setup is among them.
+        control_rate: ticks a second [Hz].
+        random: this robot's own generator for sensors.
+
+    Raises:
+        SimError: sensors are set up wrongly; one line for each problem.
+    """
+
+    def __init__(
+        self,
+        setup: RobotSetup,
+        model: RobotModel,
+        sensors: Mapping[str, SensorFactory],
+        control_rate: int,
+        random: np.random.Generator,
+    ) -> None:
+        self.id = setup.id
+        self.model = model
+        self.node = f"/{setup.id}/driver"
+        self.is_stopped = False
+        self._sensors = _build_sensors(setup, model, sensors, control_rate, random)
+        self._transforms = TransformSource(setup.id)
+        self._command = _STILL
+        self._commanded_at = -math.inf
+
+    def listeners(self) -> Sequence[Tuple[Subscription, Callable[[Heard], None]]]:
+        """Say what to hear, in the robot's namespace, and who hears it."""
+        return ((_CMD_VEL, self._hear_command),)
+
+    def sense(self, tick: int, now: float, truth: Pose, world: World) -> Sequence[Outgoing]:
+        """Run the sensors that are due.
+
+        Args:
+            tick: of the mission, from 0.
+            now: the time [s].
+            truth: the robot's true pose in the frame ``map``.
+            world: where it is.
+
+        Returns:
+            What the robot publishes, in the order of its sensors, transforms last; nothing while it is stopped.
+        """
+        if self.is_stopped:
+            return ()
+        measured: List[Outgoing] = []
+        for schedule, sensor in self._sensors:
+            if schedule.is_due(tick):
+                measured.extend(sensor.sense(now, truth, world))
+        measured.extend(self._transforms.derive(now, measured))
+        return measured
+
+    def command(self, now: float) -> Twist:
+        """Give the velocity to drive at a time [s], within the model's limits."""
+        if self.is_stopped or now - self._commanded_at > COMMAND_TIMEOUT + _ROUNDING:
+            return _STILL
+        return self._command
+
+    def stop(self) -> None:
+        """Fall silent and stand still; what was commanded is forgotten."""
+        self.is_stopped = True
+        self._command = _STILL
+
+    def resume(self) -> None:
+        """Sense and obey again."""
+        self.is_stopped = False
+
+    def _hear_command(self, heard: Heard) -> None:
+        """Take a command; one that is not finite means to stand still."""
+        if self.is_stopped:
+            return
+        vx, vy, wz = (heard.fields[path] for path in _CMD_VEL.fields)
+        self._command = _limit(self.model, vx, vy, wz) if math.isfinite(vx + vy + wz) else _STILL
+        self._commanded_at = heard.receipt
+
+
+def _limit(model: RobotModel, vx: float, vy: float, wz: float) -> Twist:
+    """Bring a velocity within a model's limits, keeping its direction."""
+    speed = math.hypot(vx, vy)
+    scale = model.max_speed / speed if speed > model.max_speed else 1.0
+    return Twist(vx * scale, vy * scale, max(-model.max_turn_rate, min(model.max_turn_rate, wz)))
+
+
+def _build_sensors(
+    setup: RobotSetup,
+    model: RobotModel,
+    factories: Mapping[str, SensorFactory],
+    control_rate: int,
+    random: np.random.Generator,
+) -> List[Tuple[Schedule, Sensor]]:
+    """Build sensors in file order."""
+    sensors: List[Tuple[Schedule, Sensor]] = []
+    problems: List[str] = []
+    for sensor in setup.sensors:
+        try:
+            schedule = Schedule(sensor.rate, control_rate)
+        except ValueError as error:
+            problems.append(f"robot {setup.id}: sensor {sensor.kind} on {sensor.topic}: {error}")
+            continue
+        try:
+            context = SensorContext(setup.id, model, sensor, setup.start, random)
+            sensors.append((schedule, factories[sensor.kind](context)))
+        except SimError as error:
+            problems.append(str(error))
+    if problems:
+        raise SimError("\n".join(problems))
+    return sensors

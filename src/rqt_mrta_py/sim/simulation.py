@@ -1,0 +1,162 @@
+"""World, robots and scenario events, tick by tick; the mission's loop calls it, it calls nobody."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Dict, Iterable, List, Mapping, Sequence, Tuple
+
+from rqt_mrta_py.errors import SimError
+from rqt_mrta_py.hooks import Outgoing, PlacedRobot, RobotModel, SensorFactory, World, WorldFactory, WorldSetup
+from rqt_mrta_py.model import Pose, ScenarioEvent, ScenarioEventKind, ScenarioSpec
+from rqt_mrta_py.sim.placement import placement_problems
+from rqt_mrta_py.sim.requirements import missing_capabilities, missing_names
+from rqt_mrta_py.sim.scenario_events import event_problems, in_order
+from rqt_mrta_py.sim.schedule import first_tick_at
+from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
+
+if TYPE_CHECKING:
+    import numpy as np
+
+__all__ = ["Simulation"]
+
+
+class Simulation:
+    """A scenario under way.
+
+    One tick is ``begin_tick``, ``sense``, ``act``, ``step``, in this order; what robots hear comes between ``sense``
+    and ``act``, through the listeners of ``robots``.
+
+    Stops of one robot are counted: it stands still and silent until as many returns as stops have come, so a robot that
+    stopped for good stays so, whatever other stop begins and ends meanwhile.
+
+    Attributes:
+        scenario: what is simulated.
+        robots: by id, in the scenario's order.
+        world: where they are; built.
+
+    Args:
+        scenario: what to simulate.
+        models: robot models by name.
+        sensors: sensor factories by kind.
+        worlds: world factories by name.
+        generators: one for each robot's sensors, by robot id.
+
+    Raises:
+        SimError: something is missing, misplaced or set wrongly; one line for each problem, and nothing is built.
+    """
+
+    def __init__(
+        self,
+        *,
+        scenario: ScenarioSpec,
+        models: Mapping[str, RobotModel],
+        sensors: Mapping[str, SensorFactory],
+        worlds: Mapping[str, WorldFactory],
+        generators: Mapping[str, np.random.Generator],
+    ) -> None:
+        self.scenario = scenario
+        _raise_if_any([*missing_names(scenario, models, sensors, worlds), *event_problems(scenario)])
+        placed = tuple(PlacedRobot(robot.id, models[robot.model], robot.start) for robot in scenario.robots)
+        _raise_if_any(placement_problems(scenario.arena, scenario.obstacles, placed))
+        self.robots = _build_robots(scenario, models, sensors, generators)
+        self._events = in_order(scenario)
+        self._next_event = 0
+        self._stops = dict.fromkeys(self.robots, 0)
+        self.world: World = worlds[scenario.world]()
+        try:
+            _raise_if_any(missing_capabilities(scenario, models, self.world))
+            self.world.reset(WorldSetup(scenario.arena, scenario.obstacles, placed, 1.0 / scenario.control_rate))
+        except BaseException:
+            self.world.close()
+            raise
+
+    def begin_tick(self, tick: int, now: float) -> Sequence[ScenarioEvent]:
+        """Make happen what is due by this tick; an event between two ticks happens at the later one.
+
+        Args:
+            tick: of the mission, from 0, growing.
+            now: the time [s].
+
+        Returns:
+            What happened, by time, then file order.
+        """
+        first = self._next_event
+        while self._next_event < len(self._events):
+            event = self._events[self._next_event]
+            if first_tick_at(event.time, self.scenario.control_rate) > tick:
+                break
+            self._happen(event)
+            self._next_event += 1
+        return self._events[first : self._next_event]
+
+    def sense(self, tick: int, now: float) -> Sequence[Tuple[str, Sequence[Outgoing]]]:
+        """Let every robot sense.
+
+        Args:
+            tick: of the mission, from 0.
+            now: the time [s].
+
+        Returns:
+            What each robot's driver publishes, in the scenario's order; robots that say nothing are left out.
+        """
+        said: List[Tuple[str, Sequence[Outgoing]]] = []
+        for robot, (x, y, yaw) in zip(self.robots.values(), self.world.poses().tolist()):
+            outgoing = robot.sense(tick, now, Pose(x, y, yaw), self.world)
+            if outgoing:
+                said.append((robot.id, outgoing))
+        return said
+
+    def act(self, now: float) -> None:
+        """Command the world what every robot was commanded, at a time [s]."""
+        for robot in self.robots.values():
+            self.world.command(robot.id, "base", robot.command(now))
+
+    def step(self) -> None:
+        """Let one tick pass in the world."""
+        self.world.step()
+
+    def stopped(self, robot_id: str) -> bool:
+        """Tell whether a robot stands still and silent; its host must be silent too."""
+        return self._stops[robot_id] > 0
+
+    def close(self) -> None:
+        """Free what the world holds; safe to call twice."""
+        self.world.close()
+
+    def _happen(self, event: ScenarioEvent) -> None:
+        if event.robot is None:
+            return
+        was_stopped = self.stopped(event.robot)
+        self._stops[event.robot] += 1 if event.kind is ScenarioEventKind.ROBOT_STOPS else -1
+        is_stopped = self.stopped(event.robot)
+        if is_stopped == was_stopped:
+            return
+        if is_stopped:
+            self.robots[event.robot].stop()
+        else:
+            self.robots[event.robot].resume()
+        self.world.freeze(event.robot, is_stopped)
+
+
+def _build_robots(
+    scenario: ScenarioSpec,
+    models: Mapping[str, RobotModel],
+    sensors: Mapping[str, SensorFactory],
+    generators: Mapping[str, np.random.Generator],
+) -> Dict[str, SimulatedRobot]:
+    robots: Dict[str, SimulatedRobot] = {}
+    problems: List[str] = []
+    for setup in scenario.robots:
+        try:
+            robots[setup.id] = SimulatedRobot(
+                setup, models[setup.model], sensors, scenario.control_rate, generators[setup.id]
+            )
+        except SimError as error:
+            problems.append(str(error))
+    _raise_if_any(problems)
+    return robots
+
+
+def _raise_if_any(problems: Iterable[str]) -> None:
+    lines = list(problems)
+    if lines:
+        raise SimError("\n".join(lines))

@@ -1,0 +1,69 @@
+"""The transforms that a robot publishes: where it is by its odometry, and where its odometry is by its localiser."""
+
+from __future__ import annotations
+
+import math
+from typing import List, Optional, Sequence
+
+from rqt_mrta_py.hooks import Outgoing
+from rqt_mrta_py.model import Pose, wrap_angle
+from rqt_mrta_py.sim.messages import pose_of, transform
+
+__all__ = ["TransformSource", "odometry_origin"]
+
+
+class TransformSource:
+    """Derives ``/tf`` of one robot from what its own sensors publish.
+
+    Each nav_msgs/Odometry is followed by odom -> base_link, and by map -> odom once a localiser was heard; a
+    geometry_msgs/PoseStamped is paired with the newest odometry.
+
+    Args:
+        robot_id: prefix of the frames ``<robot>/odom`` and ``<robot>/base_link``.
+    """
+
+    def __init__(self, robot_id: str) -> None:
+        self._odom_frame = f"{robot_id}/odom"
+        self._base_frame = f"{robot_id}/base_link"
+        self._odometry: Optional[Pose] = None
+        self._origin: Optional[Pose] = None
+
+    def derive(self, now: float, measured: Sequence[Outgoing]) -> Sequence[Outgoing]:
+        """Take in what sensors published at a time [s]; answer the transforms due with it, at most one message."""
+        located: Optional[Pose] = None
+        counted: Optional[Pose] = None
+        for outgoing in measured:
+            if outgoing.type == "nav_msgs/Odometry":
+                counted = pose_of(outgoing.fields["pose"]["pose"])
+            elif outgoing.type == "geometry_msgs/PoseStamped":
+                located = pose_of(outgoing.fields["pose"])
+        if counted is not None:
+            self._odometry = counted
+        if located is not None and self._odometry is not None:
+            self._origin = odometry_origin(located, self._odometry)
+        if counted is None:
+            return ()
+        transforms: List[object] = []
+        if self._origin is not None:
+            transforms.append(transform(now, "map", self._odom_frame, self._origin))
+        transforms.append(transform(now, self._odom_frame, self._base_frame, counted))
+        return (Outgoing("/tf", "tf2_msgs/TFMessage", {"transforms": transforms}),)
+
+
+def odometry_origin(located: Pose, counted: Pose) -> Pose:
+    """Place the frame ``odom`` in ``map`` such that a pose in the one and a pose in the other are the same place.
+
+    Args:
+        located: the robot in ``map``.
+        counted: the robot in ``odom``.
+
+    Returns:
+        T(map, odom) = T(map, base) T(odom, base)^-1.
+    """
+    yaw = wrap_angle(located.yaw - counted.yaw)
+    cos, sin = math.cos(yaw), math.sin(yaw)
+    return Pose(
+        located.x - (cos * counted.x - sin * counted.y),
+        located.y - (sin * counted.x + cos * counted.y),
+        yaw,
+    )
