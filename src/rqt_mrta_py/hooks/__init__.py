@@ -1,7 +1,8 @@
 """The contract between host and plugins: what a plugin may import besides ``model``.
 
 * ``specs``: every hook; ``hookimpl`` marks an implementation
-* ``manager``: loads plugins, checks them against the contract, calls them in a defined order
+* ``manager``: checks plugins against the contract, calls them in a defined order
+* ``loading``: imports the plugins that were discovered
 * ``stream``: messages, subscriptions, the codec's Protocol
 * ``agent``, ``behaviour``, ``evaluator``, ``navigator``: on the robot
 * ``world``, ``robot_model``, ``sensor``, ``link``: in simulation
@@ -42,6 +43,8 @@ from rqt_mrta_py.hooks.incident import (
     TaskStateChanged,
 )
 from rqt_mrta_py.hooks.link import Link
+from rqt_mrta_py.hooks.loading import LoadFailure, load_plugin, load_plugins
+from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.hooks.navigator import CostField, Navigator
 from rqt_mrta_py.hooks.parameters import ParameterProblem
 from rqt_mrta_py.hooks.picture import (
@@ -109,6 +112,7 @@ __all__ = [
     "InterpreterSetup",
     "Link",
     "Listener",
+    "LoadFailure",
     "MonitorPanel",
     "MonitorPanelFactory",
     "MonitorView",
@@ -118,6 +122,7 @@ __all__ = [
     "ParameterProblem",
     "Perception",
     "PlacedRobot",
+    "PluginManager",
     "Renderer",
     "RobotHeard",
     "RobotModel",
@@ -142,4 +147,6 @@ __all__ = [
     "WorldFactory",
     "WorldSetup",
     "hookimpl",
+    "load_plugin",
+    "load_plugins",
 ]

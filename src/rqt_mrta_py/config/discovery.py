@@ -1,0 +1,189 @@
+"""Finding packages as ROS finds them, with or without ROS.
+
+Search order: ``ROS_PACKAGE_PATH``, then the share folders of ``CMAKE_PREFIX_PATH``, of Debian and of the Python
+environment, then the packages that this project brings. Of one name the first found wins.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+import re
+import sys
+from importlib import metadata
+from pathlib import Path
+from typing import Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Set, Tuple
+
+from rqt_mrta_py.config.manifest import HOSTS, Manifest, read_manifest
+from rqt_mrta_py.config.registration import Registration, RegistrationKind, Registry
+from rqt_mrta_py.errors import ConfigError, Problem
+
+__all__ = ["discover", "own_packages"]
+
+_log = logging.getLogger("rqt_mrta_py.config")
+
+_MANIFEST = "package.xml"
+_GROUP = "rqt_mrta_py"
+_DEBIAN = (Path("/usr/share"),)
+_MENTION = HOSTS[0].encode("ascii")
+_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
+_NAME = re.compile(rb"<name>\s*([A-Za-z][A-Za-z0-9_-]*)\s*</name>")
+_IGNORE = ("CATKIN_IGNORE",)
+_STOP = ("rospack_nosubdirs", "manifest.xml")
+
+
+def discover(
+    environ: Mapping[str, str],
+    prefix: str = sys.prefix,
+    own: Optional[Sequence[Path]] = None,
+    shares: Sequence[Path] = _DEBIAN,
+    entry_points: Optional[Iterable[metadata.EntryPoint]] = None,
+) -> Registry:
+    """Search for packages and for what they register; imports no plugin.
+
+    Args:
+        environ: the environment; ``ROS_PACKAGE_PATH`` and ``CMAKE_PREFIX_PATH`` are read.
+        prefix: of the Python environment.
+        own: folders with the packages that this project brings; None: those of this checkout or installation.
+        shares: the operating system's share folders.
+        entry_points: of the group ``rqt_mrta_py``; None: those of the installed distributions.
+
+    Returns:
+        What was found. Manifests that cannot be read are reported there and skipped.
+    """
+    search = _Search()
+    for folder in _split(environ.get("ROS_PACKAGE_PATH", "")):
+        search.crawl(folder)
+    prefixes = [*_split(environ.get("CMAKE_PREFIX_PATH", "")), Path(prefix)]
+    for folder in [*(entry / "share" for entry in prefixes[:-1]), *shares, prefixes[-1] / "share"]:
+        search.share(folder)
+    for folder in own_packages() if own is None else own:
+        search.crawl(folder)
+    for entry_point in _installed() if entry_points is None else entry_points:
+        search.entry_point(entry_point)
+    _log.debug("event=discovered packages=%d registrations=%d", len(search.packages), len(search.registrations))
+    return Registry(search.packages, tuple(search.registrations), tuple(sorted(set(search.problems))))
+
+
+def own_packages() -> Tuple[Path, ...]:
+    """Locate the packages that this project brings.
+
+    Returns:
+        Of a source checkout its root and its ``plugins`` folder; of an installation the packages' own share folder;
+        nothing if neither is there.
+    """
+    parents = Path(__file__).resolve().parents
+    root = parents[3]
+    if (root / _MANIFEST).is_file() and (root / "src" / "rqt_mrta_py").is_dir():
+        return (root, root / "plugins")
+    for parent in parents:
+        if (parent / "share" / "rqt_mrta_py" / _MANIFEST).is_file():
+            return (parent / "share",)
+    return ()
+
+
+class _Search:
+    """Collects packages; the first of a name wins."""
+
+    def __init__(self) -> None:
+        self.packages: Dict[str, Path] = {}
+        self.registrations: List[Registration] = []
+        self.problems: List[Problem] = []
+        self._visited: Set[Tuple[int, int]] = set()
+
+    def crawl(self, folder: Path) -> None:
+        """Descend from a folder; a package is a leaf, links are followed, each folder is visited once."""
+        pending = [folder]
+        while pending:
+            here = pending.pop()
+            try:
+                status = here.stat()
+                with os.scandir(here) as entries:
+                    found = sorted(entries, key=lambda entry: entry.name)
+            except OSError:
+                continue
+            names = {entry.name for entry in found}
+            identity = (status.st_dev, status.st_ino)
+            if identity in self._visited or any(name in names for name in _IGNORE):
+                continue
+            self._visited.add(identity)
+            if _MANIFEST in names:
+                self._take(here / _MANIFEST)
+            elif not any(name in names for name in _STOP):
+                pending.extend(Path(entry.path) for entry in reversed(found) if _is_open_folder(entry))
+
+    def share(self, folder: Path) -> None:
+        """Take the packages right below a share folder; such folders are large, so nothing else is looked at."""
+        try:
+            with os.scandir(folder) as entries:
+                names = sorted(entry.name for entry in entries if not entry.name.startswith("."))
+        except OSError:
+            return
+        for name in names:
+            manifest = os.path.join(folder, name, _MANIFEST)  # noqa: PTH118 - most of many names have none
+            if not os.path.isfile(manifest):  # noqa: PTH113 - the same
+                continue
+            if not any((folder / name / mark).exists() for mark in _IGNORE):
+                self._take(Path(manifest))
+
+    def entry_point(self, entry_point: Any) -> None:
+        """Take a plugin of an installed distribution."""
+        distribution = getattr(entry_point, "dist", None)
+        name = distribution.metadata["Name"] if distribution is not None else entry_point.name
+        folder = Path(str(distribution.locate_file(""))) if distribution is not None else Path()
+        if any(entry.plugin == entry_point.value for entry in self.registrations):
+            return
+        self.registrations.append(
+            Registration(
+                package=name,
+                folder=folder,
+                kind=RegistrationKind.PLUGIN,
+                plugin=entry_point.value,
+                manifest=folder / "entry_points.txt",
+            )
+        )
+
+    def _take(self, path: Path) -> None:
+        try:
+            manifest = _skim(path)
+        except ConfigError as error:
+            self.problems.extend(error.problems)
+            return
+        if manifest.name in self.packages:
+            return
+        self.packages[manifest.name] = manifest.folder
+        self.registrations.extend(manifest.registrations)
+        self.problems.extend(manifest.problems)
+
+
+def _skim(path: Path) -> Manifest:
+    """Read a manifest; one that does not mention us is not parsed, for its name is all that matters then."""
+    try:
+        raw = path.read_bytes()
+    except OSError as error:
+        raise ConfigError([Problem(str(path), 0, "", f"cannot be read: {error.strerror or error}")]) from error
+    if _MENTION not in raw and b"\0" not in raw:
+        name = _NAME.search(_COMMENT.sub(b"", raw))
+        if name is not None:
+            return Manifest(name.group(1).decode("ascii"), path.parent)
+    return read_manifest(path)
+
+
+def _is_open_folder(entry: os.DirEntry[str]) -> bool:
+    try:
+        return not entry.name.startswith(".") and entry.is_dir()
+    except OSError:
+        return False
+
+
+def _split(value: str) -> Iterator[Path]:
+    return (Path(part) for part in value.split(os.pathsep) if part)
+
+
+def _installed() -> List[metadata.EntryPoint]:
+    found: Dict[Tuple[str, str], metadata.EntryPoint] = {}
+    for distribution in metadata.distributions():
+        for entry_point in distribution.entry_points:
+            if entry_point.group == _GROUP:
+                found.setdefault((entry_point.name, entry_point.value), entry_point)
+    return [found[key] for key in sorted(found)]

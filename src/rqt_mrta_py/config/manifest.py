@@ -1,0 +1,187 @@
+"""From a package.xml, of format 1, 2 or 3, to what its package registers.
+
+A package takes part if it depends directly, at run time, on ``rqt_mrta`` or ``rqt_mrta_py`` and exports a tag of
+either name. A ``condition=`` is disregarded, as rospack does.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Dict, List, Optional, Tuple
+
+from lxml import etree
+
+from rqt_mrta_py.config.problems import Problems
+from rqt_mrta_py.config.registration import Registration, RegistrationKind
+from rqt_mrta_py.config.wording import accepted, shown
+from rqt_mrta_py.config.xml_text import parse_xml
+from rqt_mrta_py.errors import ConfigError, Problem
+
+__all__ = ["HOSTS", "Manifest", "read_manifest"]
+
+HOSTS = ("rqt_mrta", "rqt_mrta_py")
+"""Packages that can be depended on, and names of export tags."""
+
+_RUN_TIME = ("run_depend", "exec_depend", "depend")
+_FILES = ("scenario", "tasks")
+_ATTRIBUTES = ("architecture", "application", "plugin", *_FILES)
+_MODULE = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*\Z", re.ASCII)
+
+
+@dataclass(frozen=True)
+class Manifest:
+    """What matters here of one package.xml.
+
+    Attributes:
+        name: of the package.
+        folder: that holds the manifest.
+        registrations: in file order; of one tag the architecture first, then application, then plugin.
+        problems: of tags that register nothing.
+    """
+
+    name: str
+    folder: Path
+    registrations: Tuple[Registration, ...] = ()
+    problems: Tuple[Problem, ...] = ()
+
+
+def read_manifest(path: Path) -> Manifest:
+    """Read a package.xml.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        ConfigError: it cannot be read, is not XML that is accepted here, or names no package.
+    """
+    problems = Problems(str(path))
+    try:
+        raw = path.read_bytes()
+    except OSError as error:
+        raise ConfigError([Problem(str(path), 0, "", f"cannot be read: {error.strerror or error}")]) from error
+    root = parse_xml(raw, str(path))
+    if root.tag != "package":
+        problems.add(_line(root), str(root.tag), "is not the root of a manifest; accepted: package")
+    name = (root.findtext("name") or "").strip()
+    if not name:
+        problems.add(_line(root), "name", "is missing or empty; give the name of the package")
+    problems.raise_if_any()
+    return _Reader(path, name, problems).read(root)
+
+
+class _Reader:
+    """Reads the export tags of one manifest."""
+
+    def __init__(self, path: Path, name: str, problems: Problems) -> None:
+        self._path = path
+        self._folder = path.parent
+        self._name = name
+        self._problems = problems
+        self._files: Dict[str, Tuple[Path, int]] = {}
+        self._file_problems: List[Problem] = []
+
+    def read(self, root: etree._Element) -> Manifest:
+        tags = [tag for export in root.iterfind("export") for host in HOSTS for tag in export.iterfind(host)]
+        tags.sort(key=_line)
+        if tags and not (self._name in HOSTS or _depends(root)):
+            self._note(tags[0], "", f"counts only with a direct <exec_depend>{tags[0].tag}</exec_depend>; add it")
+            tags = []
+        registrations = [registration for tag in tags for registration in self._registrations(tag)]
+        applications = [entry for entry in registrations if entry.kind is RegistrationKind.APPLICATION]
+        if self._files and not applications:
+            for attribute, (_, line) in self._files.items():
+                self._problems.add(line, f"@{attribute}", "goes with an application; export application= as well")
+        return Manifest(
+            self._name,
+            self._folder,
+            tuple(self._with_files(entry) if entry in applications else entry for entry in registrations),
+            self._problems.found,
+        )
+
+    def _with_files(self, application: Registration) -> Registration:
+        scenario, tasks = (self._files[name][0] if name in self._files else None for name in ("scenario", "tasks"))
+        problems = (*application.problems, *self._file_problems)
+        return replace(application, scenario=scenario, tasks=tasks, problems=problems)
+
+    def _registrations(self, tag: etree._Element) -> List[Registration]:
+        for attribute in tag.attrib:
+            if attribute not in _ATTRIBUTES:
+                self._note(tag, str(attribute), f"is not known; {accepted(str(attribute), _ATTRIBUTES)}")
+        for attribute in _FILES:
+            self._take_file(tag, attribute)
+        found = []
+        for kind in RegistrationKind:
+            value = (tag.get(kind.value) or "").strip()
+            if kind.value not in tag.attrib:
+                continue
+            if kind is not RegistrationKind.PLUGIN:
+                file, problems = self._resolve(tag, kind.value, value)
+                found.append(self._registration(tag, kind, file=file, problems=tuple(problems)))
+            elif _MODULE.match(value):
+                found.append(self._registration(tag, kind, plugin=value))
+            else:
+                self._note(tag, "plugin", f"must be a dotted module (got {shown(value)}), such as {self._name}.plugin")
+        return found
+
+    def _registration(
+        self,
+        tag: etree._Element,
+        kind: RegistrationKind,
+        file: Optional[Path] = None,
+        plugin: str = "",
+        problems: Tuple[Problem, ...] = (),
+    ) -> Registration:
+        return Registration(
+            package=self._name,
+            folder=self._folder,
+            kind=kind,
+            file=file,
+            plugin=plugin,
+            manifest=self._path,
+            line=_line(tag),
+            problems=problems,
+        )
+
+    def _take_file(self, tag: etree._Element, attribute: str) -> None:
+        if attribute not in tag.attrib:
+            return
+        if attribute in self._files:
+            first = self._files[attribute][1]
+            self._note(tag, attribute, f"is given twice; the one in line {first} counts")
+            return
+        path, problems = self._resolve(tag, attribute, (tag.get(attribute) or "").strip())
+        self._file_problems.extend(problems)
+        if path is not None:
+            self._files[attribute] = (path, _line(tag))
+
+    def _resolve(self, tag: etree._Element, attribute: str, value: str) -> Tuple[Optional[Path], List[Problem]]:
+        """Find the exported file; relative paths and both spellings of the prefix start at the package."""
+
+        def problem(message: str) -> List[Problem]:
+            return [Problem(str(self._path), _line(tag), f"export/{tag.tag}/@{attribute}", message)]
+
+        if not value:
+            return None, problem("is empty; give a file, such as ${prefix}/rqt_mrta.xml")
+        relative = value.replace("${prefix}", str(self._folder)).replace("{prefix}", str(self._folder))
+        path = Path(os.path.normpath(self._folder / relative))
+        folder = Path(os.path.normpath(self._folder))
+        if folder not in path.parents or "\0" in value:
+            return None, problem(f"must name a file within the package (got {shown(value)}); begin with ${{prefix}}/")
+        if not path.is_file():
+            return path, problem(f"names a file that does not exist (got {shown(value)}): {path}")
+        return path, []
+
+    def _note(self, tag: etree._Element, attribute: str, message: str) -> None:
+        element = f"export/{tag.tag}/@{attribute}" if attribute else f"export/{tag.tag}"
+        self._problems.add(_line(tag), element, message)
+
+
+def _depends(root: etree._Element) -> bool:
+    return any((node.text or "").strip() in HOSTS for tag in _RUN_TIME for node in root.iterfind(tag))
+
+
+def _line(node: etree._Element) -> int:
+    return int(node.sourceline or 0)

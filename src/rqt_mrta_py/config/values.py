@@ -1,0 +1,81 @@
+"""Values of parameters: from text or YAML to the type that a template asks for."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Any, Union
+
+from rqt_mrta_py.config.wording import shown
+from rqt_mrta_py.model import ParameterType
+
+__all__ = ["Scalar", "check_value", "has_token", "parse_text"]
+
+Scalar = Union[bool, int, float, str]
+
+_TOKEN = re.compile(r"@(robot_id|task_id|index|array_size|package)@")
+_INT = re.compile(r"[+-]?[0-9]{1,18}\Z")
+_WANTED = {
+    ParameterType.BOOL: "true or false",
+    ParameterType.INT: "a whole number",
+    ParameterType.DOUBLE: "a finite number",
+    ParameterType.STRING: "a text",
+}
+
+
+def has_token(text: str) -> bool:
+    """Tell whether a text holds a token that is substituted later, so that its type cannot be judged yet."""
+    return _TOKEN.search(text) is not None
+
+
+def parse_text(text: str, kind: ParameterType) -> Scalar:
+    """Turn the text of an XML file or of the command line into a value.
+
+    Args:
+        text: trimmed, without tokens.
+        kind: the type asked for.
+
+    Raises:
+        ValueError: the text is no value of that type; the message says what is accepted.
+    """
+    if kind is ParameterType.STRING:
+        return text
+    if kind is ParameterType.BOOL and text.lower() in ("true", "false"):
+        return text.lower() == "true"
+    if kind is ParameterType.INT and _INT.match(text):
+        return int(text)
+    if kind is ParameterType.DOUBLE:
+        try:
+            value = float(text)
+        except ValueError:
+            value = math.nan
+        if math.isfinite(value) and "_" not in text:
+            return value
+    raise ValueError(f"must be {_WANTED[kind]} (got {shown(text)})")
+
+
+def check_value(value: Any, kind: ParameterType) -> Scalar:
+    """Take a value from YAML as a value of a type; whole numbers pass as finite numbers, nothing else is converted.
+
+    Args:
+        value: as YAML gives it.
+        kind: the type asked for.
+
+    Raises:
+        ValueError: the value is not of that type; the message says what is accepted.
+    """
+    if kind is ParameterType.BOOL and isinstance(value, bool):
+        return value
+    if kind is ParameterType.INT and isinstance(value, int) and not isinstance(value, bool):
+        return value
+    if kind is ParameterType.DOUBLE and isinstance(value, (int, float)) and not isinstance(value, bool):
+        try:
+            number = float(value)
+        except OverflowError:
+            number = math.inf
+        if math.isfinite(number):
+            return number
+    if kind is ParameterType.STRING and isinstance(value, str):
+        return value
+    hint = "; put it in quotes" if kind is ParameterType.STRING and isinstance(value, (bool, int, float)) else ""
+    raise ValueError(f"must be {_WANTED[kind]} (got {shown(value)}){hint}")

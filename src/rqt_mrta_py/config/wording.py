@@ -1,0 +1,51 @@
+"""Words that every message about a configuration shares: the value received, and what would have been accepted."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+from typing import Iterable, Optional
+
+__all__ = ["accepted", "nearest", "shown"]
+
+_LONGEST = 60
+_MOST = 12
+
+
+def nearest(name: str, known: Iterable[str]) -> Optional[str]:
+    """Find the known name that a mistyped one probably means.
+
+    Args:
+        name: as received.
+        known: what would have been accepted.
+
+    Returns:
+        The closest of the known names; None if none comes close.
+    """
+    matches = get_close_matches(name[:_LONGEST], list(known), n=1, cutoff=0.6)
+    return matches[0] if matches else None
+
+
+def accepted(name: str, known: Iterable[str]) -> str:
+    """Say what is accepted instead of an unknown name.
+
+    Args:
+        name: as received.
+        known: what would have been accepted, in the order to be shown.
+
+    Returns:
+        ``nearest is 'x'``, or the names accepted where none comes close.
+    """
+    names = list(known)
+    match = nearest(name, names)
+    if match is not None:
+        return f"nearest is {match!r}"
+    if not names:
+        return "there is none"
+    rest = f" and {len(names) - _MOST} more" if len(names) > _MOST else ""
+    return f"accepted: {', '.join(names[:_MOST])}{rest}"
+
+
+def shown(value: object) -> str:
+    """Quote a value as received, cut where it is long."""
+    text = repr(value)
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."
