@@ -1,0 +1,142 @@
+"""What several verbs share: kinds of arguments, printing, progress, judging a result."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Mapping, Optional
+
+if TYPE_CHECKING:
+    from rqt_mrta_py.app.results import MissionResult
+
+__all__ = [
+    "ProgressLine",
+    "add_output_arguments",
+    "complain_about",
+    "finish",
+    "not_negative",
+    "positive",
+    "print_json",
+]
+
+
+def positive(text: str) -> float:
+    """Read a finite number above 0."""
+    number = not_negative(text)
+    if number == 0:
+        raise argparse.ArgumentTypeError(f"{text!r}: a number above 0 is expected")
+    return number
+
+
+def not_negative(text: str) -> float:
+    """Read a finite number of at least 0."""
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if not (math.isfinite(number) and number >= 0):
+        raise argparse.ArgumentTypeError(f"{text!r}: a number of at least 0 is expected")
+    return number
+
+
+def add_output_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments of every verb that leaves a folder of outputs."""
+    parser.add_argument("--out", metavar="DIR", type=Path, help="folder for the outputs (default: one below runs/)")
+    parser.add_argument("--force", action="store_true", help="write into DIR even if it is not empty")
+    parser.add_argument(
+        "--pictures",
+        metavar="S",
+        type=not_negative,
+        help="mission seconds between monitor pictures, 0 for none (default: the scenario's, else 1)",
+    )
+    parser.add_argument(
+        "--fail-on",
+        metavar="SEVERITY",
+        choices=("info", "warning", "error"),
+        help="exit 1 if an incident of this severity or above was found",
+    )
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+
+
+def print_json(schema: str, value: Mapping[str, Any]) -> None:
+    """Print one JSON document that names its schema."""
+    print(json.dumps({"schema": f"rqt_mrta_py/{schema}/1", **value}, indent=2, ensure_ascii=False, allow_nan=False))
+
+
+def complain_about(problems: Any) -> None:
+    """Print what was skipped, a line each, on stderr."""
+    for problem in problems:
+        print(f"mrta: skipped: {problem}", file=sys.stderr)
+
+
+def finish(result: MissionResult, options: argparse.Namespace, schema: str) -> int:
+    """Print a finished run or review and judge it by ``--fail-on``.
+
+    Args:
+        result: what was done.
+        options: of the command line.
+        schema: of the JSON document.
+
+    Returns:
+        The exit status.
+    """
+    from rqt_mrta_py.model import Severity
+
+    if options.json:
+        print_json(schema, {"folder": str(result.folder), "summary": result.summary})
+    else:
+        print(result.text())
+    if result.interrupted:
+        return 130
+    if options.fail_on is not None:
+        limit = Severity(options.fail_on).rank
+        if any(incident.severity.rank >= limit for incident in result.record.incidents):
+            return 1
+    return 0
+
+
+class ProgressLine:
+    """A progress bar on a terminal, nothing away from one."""
+
+    def __init__(self, title: str, quiet: int) -> None:
+        self._shown = sys.stderr.isatty() and not quiet
+        self._title = title
+        self._next = 0.0
+        self._bar: Optional[Any] = None
+        self._task: Any = None
+
+    def __call__(self, passed: float, planned: float) -> None:
+        """Show how much time has passed of the planned [s], ten times a second at the most."""
+        if not self._shown:
+            return
+        now = time.monotonic()
+        if now < self._next and passed < planned:
+            return
+        self._next = now + 0.1
+        if self._bar is None:
+            self._open(planned)
+        if self._bar is not None:
+            self._bar.update(self._task, completed=passed, total=planned)
+
+    def __enter__(self) -> ProgressLine:
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        if self._bar is not None:
+            self._bar.stop()
+
+    def _open(self, planned: float) -> None:
+        try:
+            from rich.console import Console
+            from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+        except ImportError:
+            self._shown = False
+            return
+        columns = (TextColumn(self._title), BarColumn(), TextColumn("{task.completed:.0f} of {task.total:.0f} s"), TimeElapsedColumn())
+        self._bar = Progress(*columns, console=Console(stderr=True), transient=True)
+        self._task = self._bar.add_task("", total=planned)
+        self._bar.start()

@@ -1,0 +1,62 @@
+"""Run a simulated team on its tasks and leave a bag, a summary and pictures."""
+
+from __future__ import annotations
+
+import argparse
+
+from rqt_mrta_py.app.cli.common import ProgressLine, add_output_arguments, complain_about, finish, positive
+
+__all__ = ["add_arguments", "main"]
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what the verb takes."""
+    parser.add_argument("application", metavar="APPLICATION", help="a registered name, or the path of a package or rqt_mrta.xml")
+    parser.add_argument("--architecture", metavar="A", help="how tasks are shared out (default: the application's own)")
+    parser.add_argument("--seed", metavar="N", type=_seed, default=0, help="of every random generator (default: 0)")
+    parser.add_argument("--duration", metavar="S", type=positive, help="mission seconds (default: the scenario's)")
+    parser.add_argument("--robots", metavar="N", type=int, help="only the first N of the application's robots")
+    parser.add_argument("--world", metavar="W", help="where to simulate (default: the scenario's)")
+    parser.add_argument(
+        "--set",
+        metavar="PATH=VALUE",
+        dest="overrides",
+        action="append",
+        default=[],
+        help="set a parameter, for instance robot2/spin_rate=10; may be given several times",
+    )
+    add_output_arguments(parser)
+
+
+def main(options: argparse.Namespace) -> int:
+    """Run the mission."""
+    from rqt_mrta_py.app.compose import compose
+    from rqt_mrta_py.app.run_mission import RunRequest, run_mission
+
+    host = compose()
+    complain_about(host.problems)
+    request = RunRequest(
+        application=options.application,
+        architecture=options.architecture,
+        seed=options.seed,
+        duration=options.duration,
+        robots=options.robots,
+        world=options.world,
+        overrides=tuple(options.overrides),
+        out=options.out,
+        force=options.force,
+        pictures=options.pictures,
+    )
+    with ProgressLine(options.application, options.quiet) as progress:
+        result = run_mission(host, request, progress)
+    return finish(result, options, "run")
+
+
+def _seed(text: str) -> int:
+    try:
+        seed = int(text)
+    except ValueError:
+        seed = -1
+    if not 0 <= seed < 2**63:
+        raise argparse.ArgumentTypeError(f"{text!r}: a whole number from 0 to 2^63 - 1 is expected")
+    return seed

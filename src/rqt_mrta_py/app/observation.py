@@ -1,0 +1,128 @@
+"""Everything that is derived from a stream, wired once for runs, reviews and live supervision alike.
+
+Supervisor, scene and panels hear the stream through one dispatcher and know nothing of its source; so reviewing the
+bag of a run gives what the run itself reported.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Dict, List, Mapping, Optional, Sequence
+
+from rqt_mrta_py.hooks import (
+    Codec,
+    InterpreterSetup,
+    MonitorPanel,
+    MonitorView,
+    Outgoing,
+    PanelSetup,
+    RobotModel,
+    Stamped,
+)
+from rqt_mrta_py.hooks.manager import PluginManager
+from rqt_mrta_py.model import Event, Mission, MissionRecord
+from rqt_mrta_py.render import SceneTracker
+from rqt_mrta_py.supervisor import Supervisor
+from rqt_mrta_py.transport import Dispatcher
+
+__all__ = ["CURVE_WINDOW", "Observation"]
+
+CURVE_WINDOW = 60.0
+"""How much of the past the curves of a monitor picture show [s]."""
+
+
+class Observation:
+    """A mission as its stream shows it.
+
+    Attributes:
+        mission: what it is about.
+        supervisor: states, allocations, events, incidents.
+    """
+
+    def __init__(self, mission: Mission, codec: Codec, manager: PluginManager, duration: Optional[float]) -> None:
+        """Wire supervisor, scene and panels.
+
+        Args:
+            mission: as far as it is known.
+            codec: reads the stream's messages.
+            manager: plugins, loaded.
+            duration: planned, of the whole mission [s]; None if unknown.
+        """
+        self.mission = mission
+        self._duration = duration
+        self._manager = manager
+        self.supervisor = Supervisor(
+            mission,
+            interpreter=_interpreter(mission, manager),
+            rules=manager.registered("mrta_register_incident_rules"),
+            statistics=manager.registered("mrta_register_statistics"),
+            on_event=self._on_event,
+        )
+        models: Mapping[str, RobotModel] = manager.registered("mrta_register_robot_models")
+        self._scene = SceneTracker(mission, models)
+        self._panels = _panels(mission, manager)
+        self._dispatcher = Dispatcher(codec, self.supervisor.report)
+        for subscription, callback in self.supervisor.listeners():
+            self._dispatcher.subscribe(subscription, callback)
+        for listener in (self._scene, *self._panels):
+            for subscription in listener.subscriptions():
+                self._dispatcher.subscribe(subscription, listener.hear)
+        manager.notify("mrta_on_mission_start", mission=mission)
+
+    def feed(self, stamped: Stamped) -> None:
+        """Take in the next message of the stream."""
+        self._dispatcher.feed(stamped)
+
+    def news(self) -> Sequence[Outgoing]:
+        """Give what the supervisor has to say since it was last asked."""
+        return self.supervisor.news()
+
+    def view(self, now: float) -> MonitorView:
+        """Give what a monitor picture of a moment shows: the whole mission so far, the curves' last minute.
+
+        Args:
+            now: the moment, on the stream's clock [s]; everything up to it has been fed.
+        """
+        return self._view(now, self.supervisor.record(now), now - CURVE_WINDOW, whole=False)
+
+    def finish(self) -> MissionRecord:
+        """End the stream and sum up; to be called once."""
+        record = self.supervisor.finish()
+        self._manager.notify("mrta_on_mission_end", record=record)
+        return record
+
+    def dashboard_view(self, record: MissionRecord) -> MonitorView:
+        """Give what the picture of a finished mission shows."""
+        return self._view(record.end or 0.0, record, record.start or 0.0, whole=True)
+
+    def _view(self, now: float, record: MissionRecord, curves_from: float, whole: bool) -> MonitorView:
+        architecture = self.mission.architecture
+        parts = [architecture.name, str(architecture.taxonomy)]
+        if self.mission.seed is not None:
+            parts.append(f"seed {self.mission.seed}")
+        start = record.start if record.start is not None else now
+        return MonitorView(
+            title=self.mission.application.name,
+            subtitle="  ".join(parts),
+            now=now,
+            record=record,
+            scene=self._scene.view(now, whole=whole),
+            panels=tuple(panel.view(max(curves_from, start), now) for panel in self._panels),
+            duration=self._duration,
+        )
+
+    def _on_event(self, event: Event) -> None:
+        self._manager.notify("mrta_on_event", event=event)
+
+
+def _interpreter(mission: Mission, manager: PluginManager) -> Any:
+    factories: Dict[str, Any] = manager.registered("mrta_register_allocation_interpreters")
+    factory = factories.get(mission.architecture.package)
+    if factory is None:
+        return None
+    robots = tuple(robot.id for robot in mission.application.robots)
+    return factory(InterpreterSetup(robots, tuple(task.id for task in mission.tasks)))
+
+
+def _panels(mission: Mission, manager: PluginManager) -> List[MonitorPanel]:
+    factories: Dict[str, Any] = manager.registered("mrta_register_monitor_panels")
+    return [factories[name](PanelSetup(mission)) for name in mission.architecture.widgets if name in factories]

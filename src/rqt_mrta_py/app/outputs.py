@@ -1,0 +1,112 @@
+"""The folder that a run or review leaves: nothing outside it, nothing half-written in it."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+from pathlib import Path
+from typing import Any, Iterable, Mapping, Optional
+
+from rqt_mrta_py.errors import MrtaError, UsageError
+
+__all__ = ["OutputFolder", "safe_file_name", "write_whole"]
+
+
+class OutputError(MrtaError):
+    """A file of the outputs cannot be written."""
+
+
+def safe_file_name(text: str) -> str:
+    """Make a file name of any text: letters, digits, ``.``, ``_`` and ``-`` stay, the rest becomes ``_``."""
+    return re.sub(r"[^A-Za-z0-9._-]", "_", text).strip(".") or "_"
+
+
+def write_whole(path: Path, data: bytes) -> None:
+    """Write a file aside and rename it, so that it is there whole or not at all.
+
+    Args:
+        path: where it shall be; its folder exists.
+        data: its content.
+
+    Raises:
+        OutputError: it cannot be written; names the file and the cause.
+    """
+    aside = path.with_name(path.name + ".part")
+    try:
+        aside.write_bytes(data)
+        os.replace(str(aside), str(path))
+    except OSError as error:
+        raise OutputError(f"{path}: cannot be written: {error.strerror}") from error
+
+
+class OutputFolder:
+    """The folder of one run or review."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    @classmethod
+    def create(cls, explicit: Optional[Path], name: str, force: bool, base: Path) -> OutputFolder:
+        """Choose and make the folder.
+
+        Args:
+            explicit: what the user asked for; None to choose ``runs/<name>``, then ``-2``, ``-3``, ...
+            name: of the run, any text.
+            force: allow an explicit folder that is not empty.
+            base: where ``runs`` lies, the caller's folder.
+
+        Raises:
+            UsageError: the explicit folder is not empty and force is not given, or it is a file.
+            OutputError: it cannot be made.
+        """
+        try:
+            if explicit is not None:
+                return cls._explicit(explicit, force)
+            runs = base / "runs"
+            runs.mkdir(exist_ok=True)
+            number = 1
+            while True:
+                path = runs / (safe_file_name(name) + ("" if number == 1 else f"-{number}"))
+                try:
+                    path.mkdir()
+                    return cls(path)
+                except FileExistsError:
+                    number += 1
+        except OSError as error:
+            raise OutputError(f"{error.filename}: the folder for the outputs cannot be made: {error.strerror}") from error
+
+    @classmethod
+    def _explicit(cls, path: Path, force: bool) -> OutputFolder:
+        if path.exists() and not path.is_dir():
+            raise UsageError(f"--out {path}: is a file; give a folder")
+        if path.is_dir() and any(path.iterdir()) and not force:
+            raise UsageError(f"--out {path}: the folder is not empty; give another one, or --force to write into it")
+        path.mkdir(parents=True, exist_ok=True)
+        return cls(path)
+
+    def folder(self, name: str) -> Path:
+        """Make an empty folder inside; pictures of an earlier run in it go."""
+        path = self.path / name
+        try:
+            if path.exists():
+                shutil.rmtree(str(path))
+            path.mkdir()
+        except OSError as error:
+            raise OutputError(f"{path}: cannot be made: {error.strerror}") from error
+        return path
+
+    def write_json(self, name: str, value: Mapping[str, Any]) -> None:
+        """Write one JSON document, keys in their given order."""
+        text = json.dumps(value, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+        write_whole(self.path / name, text.encode("utf-8"))
+
+    def write_lines(self, name: str, values: Iterable[Mapping[str, Any]]) -> None:
+        """Write one JSON document a line."""
+        lines = [json.dumps(value, ensure_ascii=False, allow_nan=False) + "\n" for value in values]
+        write_whole(self.path / name, "".join(lines).encode("utf-8"))
+
+    def write_text(self, name: str, text: str) -> None:
+        """Write a text file."""
+        write_whole(self.path / name, text.encode("utf-8"))

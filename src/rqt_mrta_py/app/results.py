@@ -1,0 +1,116 @@
+"""What a run and a review leave alike: summary, events, incidents, the mission in one picture, the log."""
+
+from __future__ import annotations
+
+import platform
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Dict, Tuple
+
+from rqt_mrta_py import __version__
+from rqt_mrta_py.app.observation import Observation
+from rqt_mrta_py.app.outputs import OutputFolder
+from rqt_mrta_py.app.versions import installed_versions
+from rqt_mrta_py.hooks.manager import PluginManager
+from rqt_mrta_py.model import MissionRecord, Outcome, TaskState
+from rqt_mrta_py.render import write_picture
+from rqt_mrta_py.supervisor import event_lines, incident_lines, summary
+
+__all__ = ["MissionResult", "Stopwatch", "write_results"]
+
+
+@dataclass(frozen=True)
+class MissionResult:
+    """A finished run or review.
+
+    Attributes:
+        folder: where its outputs are.
+        record: everything known of the mission.
+        summary: as written to ``summary.json``.
+        mission_time: what passed on the stream's clock [s].
+        wall_time: what passed on the wall [s].
+        interrupted: True if the user ended it early; the outputs are complete as far as it went.
+    """
+
+    folder: Path
+    record: MissionRecord
+    summary: Dict[str, Any]
+    mission_time: float
+    wall_time: float
+    interrupted: bool = False
+
+    def text(self) -> str:
+        """Say in a few lines what happened and where the outputs are."""
+        record = self.record
+        lost = sum(allocation.outcome is Outcome.LOST for allocation in record.allocations)
+        ended = sum(task.state in (TaskState.DONE, TaskState.FAILED, TaskState.WITHDRAWN) for task in record.tasks)
+        speed = self.mission_time / self.wall_time if self.wall_time > 0 else 0.0
+        lines = [
+            f"{record.application or 'mission'} under {record.architecture or 'unknown architecture'}: "
+            f"{self.mission_time:.1f} s in {self.wall_time:.1f} s ({speed:.1f} times real time)",
+            f"{len(record.robots)} robots, {len(record.tasks)} tasks ({ended} ended), "
+            f"{len(record.allocations)} allocations ({lost} lost), {len(record.incidents)} incidents",
+        ]
+        start = record.start or 0.0
+        lines += [f"{incident.start - start:8.1f} s  {incident.severity.value}: {incident.text}" for incident in record.incidents]
+        lines.append(f"outputs: {self.folder}")
+        return "\n".join(lines)
+
+
+def write_results(
+    folder: OutputFolder, observation: Observation, manager: PluginManager, pictures: bool
+) -> Tuple[MissionRecord, Dict[str, Any]]:
+    """Sum up a stream that has ended and write what is derived from it.
+
+    Args:
+        folder: where to.
+        observation: has heard the whole stream.
+        manager: plugins, loaded.
+        pictures: draw the dashboard too.
+
+    Returns:
+        Everything known of the mission, and what ``summary.json`` says of it.
+    """
+    record = observation.finish()
+    summed_up = summary(record)
+    folder.write_json("summary.json", summed_up)
+    folder.write_lines("events.jsonl", event_lines(record))
+    folder.write_lines("incidents.jsonl", incident_lines(record))
+    if pictures and record.start is not None:
+        renderer = manager.registered("mrta_register_renderers")["dashboard"]
+        write_picture(folder.path / "dashboard.png", renderer(observation.dashboard_view(record)))
+    return record, summed_up
+
+
+class Stopwatch:
+    """Measures one execution on the wall clock; what it measures goes to ``run.log`` and the terminal only."""
+
+    def __init__(self) -> None:
+        self._started = time.strftime("%Y-%m-%dT%H:%M:%S%z")
+        self._began = time.monotonic()
+
+    def result(
+        self, folder: OutputFolder, record: MissionRecord, summed_up: Dict[str, Any], interrupted: bool
+    ) -> MissionResult:
+        """Stop, write ``run.log`` and give the result.
+
+        Args:
+            folder: where the outputs are.
+            record: everything known of the mission.
+            summed_up: what ``summary.json`` says of it.
+            interrupted: True if the user ended it early.
+        """
+        mission_time = (record.end or 0.0) - (record.start or 0.0)
+        wall_time = time.monotonic() - self._began
+        lines = [
+            f"rqt_mrta_py {__version__}",
+            f"started {self._started}",
+            f"mission_seconds {mission_time:.3f}",
+            f"wall_seconds {wall_time:.3f}",
+            f"mission_seconds_per_wall_second {mission_time / wall_time if wall_time > 0 else 0.0:.2f}",
+            f"python {platform.python_version()}",
+        ]
+        lines += [f"{name} {version}" for name, version in installed_versions().items()]
+        folder.write_text("run.log", "\n".join(lines) + "\n")
+        return MissionResult(folder.path, record, summed_up, mission_time, wall_time, interrupted)

@@ -1,0 +1,132 @@
+"""Review a recorded mission: from a bag to the outputs of a run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Callable, Iterator, Optional, Tuple
+
+from rqt_mrta_py.app.compose import Host
+from rqt_mrta_py.app.mission_message import MISSION_TOPIC, MISSION_TYPE, mission_from_fields
+from rqt_mrta_py.app.observation import Observation
+from rqt_mrta_py.app.outputs import OutputFolder
+from rqt_mrta_py.app.pictures import picture_name
+from rqt_mrta_py.app.results import MissionResult, Stopwatch, write_results
+from rqt_mrta_py.config import load_mission, load_observed
+from rqt_mrta_py.errors import TransportError, UsageError
+from rqt_mrta_py.hooks import Codec, Renderer, Stamped
+from rqt_mrta_py.model import Mission
+from rqt_mrta_py.render import write_picture
+from rqt_mrta_py.transport import read_bag, read_bag_info
+
+__all__ = ["ReviewRequest", "review_bag"]
+
+_NS = 1_000_000_000
+
+
+@dataclass(frozen=True)
+class ReviewRequest:
+    """What the user asks for.
+
+    Attributes:
+        bag: to review.
+        application: a registered name or path that says what the bag is about; None to ask the bag itself.
+        architecture: a registered name or path; None for the application's own.
+        out: folder for the outputs; None to choose one.
+        force: write into a folder that is not empty.
+        pictures: seconds of mission time between pictures, 0 for none; None for the scenario's, else 1 [s].
+    """
+
+    bag: Path
+    application: Optional[str] = None
+    architecture: Optional[str] = None
+    out: Optional[Path] = None
+    force: bool = False
+    pictures: Optional[float] = None
+
+
+def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, float], None]) -> MissionResult:
+    """Review a bag and write what a run would have written of it.
+
+    Args:
+        host: registry and plugins.
+        request: what the user asks for.
+        progress: told the time reviewed and the bag's length [s].
+
+    Returns:
+        The finished review; one that the user interrupted is complete as far as it went.
+
+    Raises:
+        MrtaError: of whatever is wrong. What is wrong with the input is told before anything is written.
+    """
+    watch = Stopwatch()
+    info = read_bag_info(request.bag)
+    codec = host.codec()
+    mission, duration = _mission(host, request, codec)
+    period = request.pictures
+    if period is None:
+        period = 1.0 if mission.scenario is None else mission.scenario.picture_period
+    observation = Observation(mission, codec, host.manager, duration or info.duration)
+    folder = OutputFolder.create(request.out, f"{request.bag.stem}-review", request.force, Path.cwd())
+    pictures = _Pictures(host.renderer("monitor"), folder.folder("monitor"), period) if period > 0 else None
+    interrupted = False
+    try:
+        for stamped in read_bag(request.bag):
+            if pictures is not None:
+                pictures.until(stamped.receipt_ns, observation)
+            observation.feed(stamped)
+            progress((stamped.receipt_ns - info.start_ns) / _NS, info.duration)
+        if pictures is not None:
+            pictures.until(info.end_ns + 1, observation)
+    except KeyboardInterrupt:
+        interrupted = True
+    record, summary = write_results(folder, observation, host.manager, pictures=pictures is not None)
+    return watch.result(folder, record, summary, interrupted)
+
+
+class _Pictures:
+    """Draws each picture once everything up to its moment has been heard."""
+
+    def __init__(self, renderer: Renderer, folder: Path, period: float) -> None:
+        self._renderer = renderer
+        self._folder = folder
+        self._period_ns = max(1, round(period * _NS))
+        self._start_ns: Optional[int] = None
+        self._number = 0
+
+    def until(self, receipt_ns: int, observation: Observation) -> None:
+        """Draw all pictures of moments before a message's receipt [ns]."""
+        if self._start_ns is None:
+            self._start_ns = receipt_ns
+        while self._start_ns + self._number * self._period_ns < receipt_ns:
+            passed_ns = self._number * self._period_ns
+            image = self._renderer(observation.view((self._start_ns + passed_ns) / _NS))
+            write_picture(self._folder / picture_name(passed_ns / _NS), image)
+            self._number += 1
+
+
+def _mission(host: Host, request: ReviewRequest, codec: Codec) -> Tuple[Mission, Optional[float]]:
+    """Find out what the bag is about: what the user says, else what the bag itself says."""
+    if request.application is not None:
+        mission = load_mission(
+            host.registry, request.application, architecture=request.architecture, seed=None, manager=host.manager
+        )
+        return mission, None
+    if request.architecture is not None:
+        return load_observed(host.registry, request.architecture), None
+    stamped = next(_mission_messages(request.bag), None)
+    if stamped is None:
+        raise UsageError(
+            f"{request.bag}: does not say what it is about (no message on {MISSION_TOPIC}); "
+            "give --application or --architecture, a registered name or an rqt_mrta.xml"
+        )
+    if stamped.connection.type != MISSION_TYPE:
+        raise TransportError(
+            f"{request.bag}: {MISSION_TOPIC} has type {stamped.connection.type}; {MISSION_TYPE} is expected"
+        )
+    fields = codec.decode(stamped.connection, stamped.raw)
+    return mission_from_fields(fields), float(fields["duration"]) or None
+
+
+def _mission_messages(bag: Path) -> Iterator[Stamped]:
+    return read_bag(bag, topics=[MISSION_TOPIC])

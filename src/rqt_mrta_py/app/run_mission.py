@@ -1,0 +1,120 @@
+"""Run one simulated mission from its registration to its outputs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Callable, Optional, Tuple
+
+from rqt_mrta_py.app.compose import Host
+from rqt_mrta_py.app.embedded import EmbeddedRun
+from rqt_mrta_py.app.observation import Observation
+from rqt_mrta_py.app.outputs import OutputFolder
+from rqt_mrta_py.app.pictures import PictureSchedule, period_in_ticks
+from rqt_mrta_py.app.results import MissionResult, Stopwatch, write_results
+from rqt_mrta_py.app.selection import first_robots, in_world
+from rqt_mrta_py.config import load_mission
+from rqt_mrta_py.errors import UsageError
+from rqt_mrta_py.model import Mission, ScenarioSpec
+from rqt_mrta_py.transport import BagWriter
+
+__all__ = ["Progress", "RunRequest", "run_mission"]
+
+Progress = Callable[[float, float], None]
+"""Told the mission time that has passed and the planned one [s]."""
+
+
+@dataclass(frozen=True)
+class RunRequest:
+    """What the user asks for.
+
+    Attributes:
+        application: a registered name, or the path of a package or rqt_mrta.xml.
+        architecture: a registered name; None for the application's own.
+        seed: of every random generator.
+        duration: of the mission [s]; None for the scenario's.
+        robots: how many of the application's robots; None for all.
+        world: where to simulate; None for the scenario's.
+        overrides: ``path=value`` of parameters, each path beginning with a robot's id.
+        out: folder for the outputs; None to choose one.
+        force: write into a folder that is not empty.
+        pictures: seconds of mission time between pictures, 0 for none; None for the scenario's [s].
+    """
+
+    application: str
+    architecture: Optional[str] = None
+    seed: int = 0
+    duration: Optional[float] = None
+    robots: Optional[int] = None
+    world: Optional[str] = None
+    overrides: Tuple[str, ...] = ()
+    out: Optional[Path] = None
+    force: bool = False
+    pictures: Optional[float] = None
+
+
+def run_mission(host: Host, request: RunRequest, progress: Progress) -> MissionResult:
+    """Run a mission and write its outputs.
+
+    Args:
+        host: registry and plugins.
+        request: what the user asks for.
+        progress: told how far the run has come, at every tick.
+
+    Returns:
+        The finished run; one that the user interrupted is complete as far as it went.
+
+    Raises:
+        MrtaError: of whatever is wrong. What is wrong with the input is told before anything is written.
+    """
+    watch = Stopwatch()
+    mission, scenario = _mission(host, request)
+    duration = scenario.duration if request.duration is None else request.duration
+    period = scenario.picture_period if request.pictures is None else request.pictures
+    codec = host.codec()
+    observation = Observation(mission, codec, host.manager, duration)
+    run = EmbeddedRun(mission, duration, codec, host.manager, observation)
+    try:
+        name = f"{mission.application.package}-seed{request.seed}"
+        folder = OutputFolder.create(request.out, name, request.force, Path.cwd())
+        pictures = _pictures(host, folder, period, scenario.control_rate)
+        with BagWriter(folder.path / "mission.bag") as bag:
+            run.attach(bag.write, pictures)
+            interrupted = _steps(run, scenario.control_rate, duration, progress)
+        record, summary = write_results(folder, observation, host.manager, pictures=pictures is not None)
+    finally:
+        run.close()
+    return watch.result(folder, record, summary, interrupted)
+
+
+def _steps(run: EmbeddedRun, rate: int, duration: float, progress: Progress) -> bool:
+    """Let the mission pass; True if the user ended it early."""
+    try:
+        for tick in range(run.last_tick + 1):
+            run.step(tick)
+            progress(tick / rate, duration)
+    except KeyboardInterrupt:
+        return True
+    return False
+
+
+def _pictures(host: Host, folder: OutputFolder, period: float, rate: int) -> Optional[PictureSchedule]:
+    period_ticks = period_in_ticks(period, rate)
+    if period_ticks is None:
+        return None
+    return PictureSchedule(host.renderer("monitor"), folder.folder("monitor"), period_ticks, rate)
+
+
+def _mission(host: Host, request: RunRequest) -> Tuple[Mission, ScenarioSpec]:
+    mission = load_mission(
+        host.registry,
+        request.application,
+        architecture=request.architecture,
+        seed=request.seed,
+        overrides=request.overrides,
+        manager=host.manager,
+    )
+    mission = in_world(first_robots(mission, request.robots), request.world)
+    if mission.scenario is None:
+        raise UsageError(f"{mission.application.package}: has no scenario, so there is nothing to simulate")
+    return mission, mission.scenario

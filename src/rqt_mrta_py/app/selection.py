@@ -1,0 +1,63 @@
+"""A mission with part of its team, or in another world."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Optional, Sequence
+
+from rqt_mrta_py.errors import UsageError
+from rqt_mrta_py.model import Mission
+
+__all__ = ["first_robots", "in_world", "with_robots"]
+
+
+def with_robots(mission: Mission, robot_ids: Sequence[str]) -> Mission:
+    """Keep only some robots of a mission, with what is simulated of them and what happens to them.
+
+    Args:
+        mission: the whole.
+        robot_ids: whom to keep; order and unknown ids do not matter.
+
+    Returns:
+        The part, or the mission itself if nobody is left out.
+    """
+    kept = set(robot_ids)
+    if all(robot.id in kept for robot in mission.application.robots):
+        return mission
+    application = dataclasses.replace(
+        mission.application, robots=tuple(robot for robot in mission.application.robots if robot.id in kept)
+    )
+    scenario = mission.scenario
+    if scenario is not None:
+        scenario = dataclasses.replace(
+            scenario,
+            robots=tuple(robot for robot in scenario.robots if robot.id in kept),
+            events=tuple(event for event in scenario.events if event.robot is None or event.robot in kept),
+        )
+    parameters = {robot_id: values for robot_id, values in mission.parameters.items() if robot_id in kept}
+    return dataclasses.replace(mission, application=application, scenario=scenario, parameters=parameters)
+
+
+def first_robots(mission: Mission, number: Optional[int]) -> Mission:
+    """Keep the first robots of the application.
+
+    Args:
+        mission: the whole.
+        number: how many; None for all.
+
+    Raises:
+        UsageError: fewer than one, or more than the application has.
+    """
+    if number is None:
+        return mission
+    robots = mission.application.robots
+    if not 1 <= number <= len(robots):
+        raise UsageError(f"--robots {number}: {mission.application.package} has {len(robots)} robots; give 1 to {len(robots)}")
+    return with_robots(mission, [robot.id for robot in robots[:number]])
+
+
+def in_world(mission: Mission, world: Optional[str]) -> Mission:
+    """Simulate a mission in another world than its scenario names; None leaves it."""
+    if world is None or mission.scenario is None:
+        return mission
+    return dataclasses.replace(mission, scenario=dataclasses.replace(mission.scenario, world=world))

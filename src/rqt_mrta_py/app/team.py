@@ -1,0 +1,106 @@
+"""A simulated team wired to the embedded bus: each robot's host and hardware as nodes of their own."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Dict, List, Mapping
+
+from rqt_mrta_py.app.chance import Purpose, generator
+from rqt_mrta_py.errors import UsageError
+from rqt_mrta_py.hooks import Agent, AgentSetup, Behaviour, BehaviourSetup, RobotModel
+from rqt_mrta_py.hooks.manager import PluginManager
+from rqt_mrta_py.model import Mission, ScenarioSpec
+from rqt_mrta_py.robot import GridNavigator, HostSetup, RobotHost
+from rqt_mrta_py.sim import Simulation
+from rqt_mrta_py.transport import Bus, Node
+
+__all__ = ["Member", "build_team"]
+
+
+@dataclass(frozen=True)
+class Member:
+    """One robot of a simulated team.
+
+    Attributes:
+        id: of the robot.
+        host: steps its agent and behaviours.
+        agent_node: speaks and hears for the host.
+        driver_node: speaks and hears for the simulated hardware.
+    """
+
+    id: str
+    host: RobotHost
+    agent_node: Node
+    driver_node: Node
+
+
+def build_team(
+    mission: Mission, scenario: ScenarioSpec, seed: int, simulation: Simulation, bus: Bus, manager: PluginManager
+) -> List[Member]:
+    """Make every robot's agent, behaviours and host, and join them and the hardware to the bus.
+
+    Args:
+        mission: team, tasks, parameters.
+        scenario: where it takes place.
+        seed: of the run.
+        simulation: holds the simulated hardware.
+        bus: to join.
+        manager: plugins, loaded.
+
+    Returns:
+        The team in the application's order.
+
+    Raises:
+        UsageError: nobody provides agents for the mission's architecture.
+        RobotError: a robot cannot carry out a task it is given.
+    """
+    factories: Dict[str, Any] = manager.registered("mrta_register_agents")
+    package = mission.architecture.package
+    if package not in factories:
+        known = ", ".join(sorted(factories)) or "none"
+        raise UsageError(f"{package}: no plugin provides agents for this architecture; there are agents for: {known}")
+    models: Mapping[str, RobotModel] = manager.registered("mrta_register_robot_models")
+    placed = {robot.id: models[robot.model] for robot in scenario.robots}
+    team = []
+    for robot in mission.application.robots:
+        host = _host(mission, scenario, robot.id, placed[robot.id], seed, factories[package], manager)
+        agent_node = bus.node(f"/{robot.id}/agent", robot=robot.id)
+        driver_node = bus.node(f"/{robot.id}/driver", robot=robot.id)
+        for subscription, callback in host.listeners():
+            agent_node.subscribe(subscription, callback)
+        for subscription, callback in simulation.robots[robot.id].listeners():
+            driver_node.subscribe(subscription, callback)
+        team.append(Member(robot.id, host, agent_node, driver_node))
+    return team
+
+
+def _host(
+    mission: Mission,
+    scenario: ScenarioSpec,
+    robot_id: str,
+    model: RobotModel,
+    seed: int,
+    agent_factory: Any,
+    manager: PluginManager,
+) -> RobotHost:
+    tasks = mission.tasks_of(robot_id)
+    behaviour_factories: Dict[str, Any] = manager.registered("mrta_register_behaviours")
+    behaviour_setup = BehaviourSetup(
+        robot_id=robot_id,
+        model=model,
+        navigator=GridNavigator(scenario.arena, scenario.obstacles, model.radius),
+        random=generator(seed, robot_id, Purpose.BEHAVIOUR),
+    )
+    kinds = sorted({task.kind for task in tasks} & set(behaviour_factories))
+    behaviours: Dict[str, Behaviour] = {kind: behaviour_factories[kind](behaviour_setup) for kind in kinds}
+    agent: Agent = agent_factory(
+        AgentSetup(
+            robot_id=robot_id,
+            team=tuple(robot.id for robot in mission.application.robots),
+            tasks=tasks,
+            parameters=mission.parameters.get(robot_id, {}),
+            random=generator(seed, robot_id, Purpose.AGENT),
+            evaluators=manager.registered("mrta_register_sensory_evaluators"),
+        )
+    )
+    return RobotHost(HostSetup(robot_id, agent, behaviours, tasks, scenario.control_rate))

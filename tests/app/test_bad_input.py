@@ -1,0 +1,231 @@
+"""Bad input gets one clear line and the right exit status, and leaves nothing half-written."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import Callable, List, Tuple
+
+import pytest
+
+from rqt_mrta_py.app.cli.main import main
+
+Mrta = Callable[..., Tuple[int, List[str]]]
+
+
+@pytest.fixture
+def mrta(capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Mrta:
+    """Run a command in an empty folder; gives its status and its lines on stderr."""
+    folder = tmp_path / "here"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+
+    def run(*arguments: str) -> Tuple[int, List[str]]:
+        try:
+            status = main(list(arguments))
+        except SystemExit as stop:
+            status = int(stop.code or 0)
+        return status, capsys.readouterr().err.splitlines()
+
+    return run
+
+
+@pytest.fixture
+def yard(tmp_path: Path, root: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Copy border_patrol to a package of one's own that can be broken, and put it on the path."""
+    package = tmp_path / "packages" / "yard"
+    shutil.copytree(str(root / "plugins" / "applications" / "border_patrol"), str(package))
+    manifest = package / "package.xml"
+    manifest.write_text(manifest.read_text().replace("<name>border_patrol</name>", "<name>yard</name>"))
+    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "packages"))
+    return package
+
+
+def edit(path: Path, old: str, new: str) -> int:
+    """Replace text that stands in a file once and give its line."""
+    text = path.read_text()
+    assert text.count(old) == 1
+    path.write_text(text.replace(old, new))
+    return text[: text.index(old)].count("\n") + 1
+
+
+def test_an_unknown_application_is_told_with_the_nearest_name(mrta: Mrta, tmp_path: Path) -> None:
+    status, lines = mrta("run", "border_patrl")
+    assert status == 3
+    assert len(lines) == 1
+    assert "border_patrl" in lines[0]
+    assert "border_patrol" in lines[0]
+    assert list((tmp_path / "here").iterdir()) == []
+
+
+def test_an_unknown_parameter_is_told_with_the_nearest_path(mrta: Mrta, tmp_path: Path) -> None:
+    status, lines = mrta("run", "border_patrol", "--set", "robot2/spin_rat=5")
+    assert status == 3
+    assert len(lines) == 1
+    assert "spin_rat" in lines[0]
+    assert "spin_rate" in lines[0]
+    assert list((tmp_path / "here").iterdir()) == []
+
+
+def test_a_parameter_of_the_wrong_type_is_told_with_file_and_line(mrta: Mrta, yard: Path) -> None:
+    line = edit(yard / "rqt_mrta.xml", "<id>robot1_alliance_params</id>\n      <param_0> <name>timeout_duration</name> "
+                "<type>double</type> <value>5.0</value>", "<id>robot1_alliance_params</id>\n      <param_0> "
+                "<name>timeout_duration</name> <type>double</type> <value>soon</value>")
+    status, lines = mrta("run", "yard")
+    assert status == 3
+    assert len(lines) == 1
+    assert f"{yard / 'rqt_mrta.xml'}:{line + 1}: " in lines[0]
+    assert "soon" in lines[0]
+
+
+def test_a_parameter_that_the_architecture_cannot_work_with_is_told(mrta: Mrta) -> None:
+    status, lines = mrta("run", "border_patrol", "--set", "robot2/timeout_duration=0.1")
+    assert status == 3
+    assert any("timeout_duration" in line and "0.1" in line for line in lines)
+
+
+def test_a_robot_in_a_wall_is_told_by_name(mrta: Mrta, yard: Path, tmp_path: Path) -> None:
+    edit(yard / "scenario.yaml", "start: {x: -1.0, y: -0.4, yaw: 0.0}", "start: {x: -5.95, y: -0.4, yaw: 0.0}")
+    status, lines = mrta("run", "yard")
+    assert status == 3
+    assert len(lines) == 1
+    assert "robot1" in lines[0]
+    assert "wall" in lines[0]
+    assert list((tmp_path / "here").iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("entity bomb", '<!DOCTYPE r [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;&a;&a;">]><rqt_mrta>&b;</rqt_mrta>'),
+        ("external entity", '<!DOCTYPE r [<!ENTITY x SYSTEM "file:///etc/hostname">]><rqt_mrta>&x;</rqt_mrta>'),
+        ("not well formed", "<rqt_mrta><application></rqt_mrta>"),
+        ("empty", ""),
+    ],
+)
+def test_a_hostile_or_broken_xml_file_is_told_with_file_and_line(mrta: Mrta, yard: Path, name: str, text: str) -> None:
+    (yard / "rqt_mrta.xml").write_text(text)
+    status, lines = mrta("run", "yard")
+    assert status == 3, name
+    assert len(lines) == 1
+    assert str(yard / "rqt_mrta.xml") in lines[0]
+
+
+def test_a_broken_manifest_is_reported_and_skipped(mrta: Mrta, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    broken = tmp_path / "packages" / "broken"
+    broken.mkdir(parents=True)
+    (broken / "package.xml").write_text("<package format='3'><name>broken</name><!-- rqt_mrta -->")
+    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "packages"))
+    status, lines = mrta("list")
+    assert status == 0
+    assert len(lines) == 1
+    assert str(broken / "package.xml") in lines[0]
+
+
+PLUGIN_MANIFEST = """<package format="3">
+  <name>stranger</name> <version>0.1.0</version> <description>d</description>
+  <maintainer email="a@b.c">m</maintainer> <license>l</license>
+  <exec_depend>rqt_mrta_py</exec_depend>
+  <export> <rqt_mrta_py plugin="stranger_plugin"/> </export>
+</package>
+"""
+
+
+@pytest.fixture
+def stranger(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Put a stranger's plugin package on the path; gives the file of its module, to be written."""
+    source = tmp_path / "packages" / "stranger" / "src"
+    source.mkdir(parents=True)
+    (source.parent / "package.xml").write_text(PLUGIN_MANIFEST)
+    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "packages"))
+    monkeypatch.syspath_prepend(str(source))
+    monkeypatch.delitem(__import__("sys").modules, "stranger_plugin", raising=False)
+    return source / "stranger_plugin.py"
+
+
+def short_run(mrta: Mrta) -> Tuple[int, List[str]]:
+    return mrta("run", "border_patrol", "--duration", "1", "--pictures", "0")
+
+
+def test_a_plugin_that_fails_to_import_is_reported_and_skipped(mrta: Mrta, stranger: Path) -> None:
+    stranger.write_text("import a_library_that_nobody_has\n")
+    status, lines = short_run(mrta)
+    assert status == 0
+    assert len(lines) == 1
+    assert "stranger" in lines[0]
+    assert "a_library_that_nobody_has" in lines[0]
+
+
+def test_a_plugin_that_raises_where_its_answer_is_needed_stops_the_run(mrta: Mrta, stranger: Path) -> None:
+    stranger.write_text(
+        "from rqt_mrta_py.hooks import hookimpl\n\n\n@hookimpl\ndef mrta_register_statistics():\n    raise RuntimeError('no')\n"
+    )
+    status, lines = short_run(mrta)
+    assert status == 3
+    assert len(lines) == 1
+    assert "stranger" in lines[0]
+    assert "mrta_register_statistics" in lines[0]
+
+
+def test_an_observer_that_raises_is_named_and_the_run_goes_on(
+    mrta: Mrta, stranger: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    stranger.write_text(
+        "from rqt_mrta_py.hooks import hookimpl\n\n\n@hookimpl\ndef mrta_on_event(event):\n    raise RuntimeError('no')\n"
+    )
+    status, _ = short_run(mrta)
+    assert status == 0
+    assert "stranger" in caplog.text
+    assert "mrta_on_event" in caplog.text
+
+
+def test_a_plugin_with_an_unknown_argument_is_refused_with_both_signatures(mrta: Mrta, stranger: Path) -> None:
+    stranger.write_text("from rqt_mrta_py.hooks import hookimpl\n\n\n@hookimpl\ndef mrta_on_event(evnt):\n    pass\n")
+    status, lines = short_run(mrta)
+    text = "\n".join(lines)
+    assert status in (0, 3)
+    assert "stranger" in text
+    assert "evnt" in text
+    assert "event" in text
+
+
+def test_a_folder_that_is_not_empty_needs_force(mrta: Mrta, tmp_path: Path) -> None:
+    folder = tmp_path / "full"
+    folder.mkdir()
+    (folder / "mission.bag").write_text("precious")
+    status, lines = mrta("run", "border_patrol", "--duration", "1", "--out", str(folder))
+    assert status == 2
+    assert len(lines) == 1
+    assert "--force" in lines[0]
+    assert (folder / "mission.bag").read_text() == "precious"
+
+
+@pytest.mark.parametrize(
+    ("name", "content"), [("missing", None), ("empty", b""), ("text", b"not a bag"), ("magic", b"#ROSBAG V2.0\n")]
+)
+def test_what_is_not_a_bag_is_told_by_name(mrta: Mrta, tmp_path: Path, name: str, content: "bytes | None") -> None:
+    bag = tmp_path / f"{name}.bag"
+    if content is not None:
+        bag.write_bytes(content)
+    status, lines = mrta("review", str(bag))
+    assert status == 3
+    assert len(lines) == 1
+    assert str(bag) in lines[0]
+    assert list((tmp_path / "here").iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("run",),
+        ("fly", "border_patrol"),
+        ("run", "border_patrol", "--seed", "-1"),
+        ("run", "border_patrol", "--duration", "nan"),
+        ("run", "border_patrol", "--robots", "6"),
+        ("run", "border_patrol", "--world", "moon"),
+    ],
+)
+def test_wrong_usage_exits_with_2(mrta: Mrta, arguments: Tuple[str, ...]) -> None:
+    status, lines = mrta(*arguments)
+    assert status in (2, 3)
+    assert lines != []

@@ -1,0 +1,135 @@
+"""The bag of a run, opened with ROS's own tools."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import socket
+import subprocess
+import sys
+from pathlib import Path
+from typing import Dict, Iterator
+
+import pytest
+
+from tests.app.outputs import Outputs
+
+pytestmark = pytest.mark.ros
+
+STANDARD_TOPICS = {
+    "/clock": "rosgraph_msgs/Clock",
+    "/tf": "tf2_msgs/TFMessage",
+    "/rosout": "rosgraph_msgs/Log",
+    "/robot1/odom": "nav_msgs/Odometry",
+    "/robot1/pose": "geometry_msgs/PoseStamped",
+    "/robot1/scan": "sensor_msgs/LaserScan",
+    "/robot1/cmd_vel": "geometry_msgs/Twist",
+    "/robot1/alliance/motivation/wander": "alliance_msgs/Motivation",
+    "/robot1/alliance/sensory_feedback": "alliance_msgs/SensoryFeedback",
+    "/alliance/inter_robot_communication": "alliance_msgs/InterRobotCommunication",
+    "/mrta/markers": "visualization_msgs/MarkerArray",
+    "/mrta/monitor/compressed": "sensor_msgs/CompressedImage",
+    "/mrta/mission": "rqt_mrta_py/Mission",
+    "/mrta/team_state": "rqt_mrta_py/TeamState",
+    "/mrta/robot_state": "rqt_mrta_py/RobotState",
+    "/mrta/task_state": "rqt_mrta_py/TaskState",
+    "/mrta/allocation": "rqt_mrta_py/Allocation",
+    "/mrta/task_progress": "rqt_mrta_py/TaskProgress",
+    "/mrta/event": "rqt_mrta_py/Event",
+    "/mrta/incident": "rqt_mrta_py/Incident",
+    "/mrta/scenario_event": "rqt_mrta_py/ScenarioEvent",
+}
+
+
+@pytest.fixture(scope="module")
+def ros_environment(tmp_path_factory: pytest.TempPathFactory) -> Dict[str, str]:
+    """Give an environment in which ROS's tools see the generated message classes; skip without ROS."""
+    if shutil.which("rosbag") is None:
+        pytest.skip("ROS 1 is not installed: no rosbag on PATH")
+    home = str(tmp_path_factory.mktemp("ros"))
+    messages = [line for line in sys.path if (Path(line) / "alliance_msgs" / "msg").is_dir()]
+    if not messages:
+        pytest.skip("message classes have not been generated into the virtual environment")
+    return {
+        **os.environ,
+        "PYTHONPATH": os.pathsep.join([*messages, os.environ.get("PYTHONPATH", "")]),
+        "ROS_HOME": home,
+        "ROS_LOG_DIR": home,
+        "ROS_HOSTNAME": "127.0.0.1",
+    }
+
+
+def rosbag(*arguments: str, environment: Dict[str, str], timeout: float = 60) -> str:
+    finished = subprocess.run(
+        ["rosbag", *arguments], capture_output=True, text=True, env=environment, timeout=timeout, check=False
+    )
+    assert finished.returncode == 0, finished.stderr
+    return finished.stdout
+
+
+def test_rosbag_info_finds_every_topic_with_its_type_and_messages(patrol: Outputs, ros_environment: Dict[str, str]) -> None:
+    text = rosbag("info", str(patrol.bag), environment=ros_environment)
+    found = dict(re.findall(r"(/\S+)\s+\d+ msgs?\s+: (\S+)", text))
+    assert {topic: found.get(topic) for topic in STANDARD_TOPICS} == STANDARD_TOPICS
+    assert min(int(count) for count in re.findall(r"\s(\d+) msgs?\s+:", text)) > 0
+
+
+def test_rosbag_check_needs_no_rule_to_play_the_bag(patrol: Outputs, ros_environment: Dict[str, str]) -> None:
+    text = rosbag("check", str(patrol.bag), environment=ros_environment)
+    assert "rules missing" not in text
+    assert "does not need any migrations" in text or "Bag is ready to be migrated" in text
+
+
+def test_message_types_are_those_of_the_generated_classes(patrol: Outputs, ros_environment: Dict[str, str]) -> None:
+    """Equal md5 means that any ROS node reads what was recorded."""
+    script = (
+        "import sys, rosbag, roslib.message\n"
+        "connections = rosbag.Bag(sys.argv[1])._get_connections()\n"
+        "wrong = [c.datatype for c in connections\n"
+        "         if roslib.message.get_message_class(c.datatype)._md5sum != c.md5sum]\n"
+        "sys.exit(' '.join(wrong))\n"
+    )
+    finished = subprocess.run(
+        ["/usr/bin/python3", "-c", script, str(patrol.bag)],
+        capture_output=True,
+        text=True,
+        env=ros_environment,
+        timeout=60,
+        check=False,
+    )
+    assert finished.returncode == 0, finished.stderr
+
+
+@pytest.fixture
+def master(ros_environment: Dict[str, str]) -> Iterator[Dict[str, str]]:
+    """Start a master on a free port and give an environment that points at it."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    environment = {**ros_environment, "ROS_MASTER_URI": f"http://127.0.0.1:{port}"}
+    script = (
+        "import sys, rosmaster.master\n"
+        f"master = rosmaster.master.Master({port})\n"
+        "master.start()\n"
+        "print('ready', flush=True)\n"
+        "sys.stdin.read()\n"
+        "master.stop()\n"
+    )
+    process = subprocess.Popen(
+        ["/usr/bin/python3", "-c", script], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment
+    )
+    assert process.stdin is not None
+    assert process.stdout is not None
+    try:
+        assert process.stdout.readline().strip() == "ready"
+        yield environment
+    finally:
+        process.stdin.close()
+        process.stdout.close()
+        process.wait(timeout=20)
+
+
+def test_rosbag_play_plays_the_bag_to_a_real_master(patrol: Outputs, master: Dict[str, str]) -> None:
+    text = rosbag("play", "--quiet", "-r", "50", "-u", "100", str(patrol.bag), environment=master, timeout=120)
+    assert "ERROR" not in text
