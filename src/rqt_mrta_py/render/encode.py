@@ -1,0 +1,103 @@
+"""Pictures as bytes and as files."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, List
+
+from rqt_mrta_py.errors import RenderError
+from rqt_mrta_py.render.libraries import opencv
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+__all__ = ["jpeg", "png", "write_picture"]
+
+# Level 1 takes little longer than none at all, and levels above it save little: the pictures are mostly flat.
+_PNG_LEVEL = 1
+
+
+def png(image: NDArray[np.uint8]) -> bytes:
+    """Encode a picture as PNG.
+
+    Args:
+        image: (height, width, 3), blue, green, red.
+
+    Returns:
+        The file's bytes; equal for equal pictures.
+
+    Raises:
+        RenderError: the picture cannot be encoded.
+    """
+    return _encode(".png", image, [opencv().IMWRITE_PNG_COMPRESSION, _PNG_LEVEL])
+
+
+def jpeg(image: NDArray[np.uint8], quality: int = 85) -> bytes:
+    """Encode a picture as JPEG.
+
+    Args:
+        image: (height, width, 3), blue, green, red.
+        quality: from 1, worst, to 100, best.
+
+    Returns:
+        The file's bytes; equal for equal pictures.
+
+    Raises:
+        RenderError: the picture cannot be encoded.
+        ValueError: the quality is out of range.
+    """
+    if not 1 <= quality <= 100:
+        raise ValueError(f"the quality of a JPEG is between 1 and 100 (got {quality})")
+    return _encode(".jpg", image, [opencv().IMWRITE_JPEG_QUALITY, quality])
+
+
+def write_picture(path: Path, image: NDArray[np.uint8]) -> None:
+    """Write a picture whole or not at all: aside first, then renamed.
+
+    Args:
+        path: of the file; its ending, ``.png``, ``.jpg`` or ``.jpeg``, says the format.
+        image: (height, width, 3), blue, green, red.
+
+    Raises:
+        RenderError: the ending is another one, the picture cannot be encoded, or the file cannot be written.
+    """
+    encoders = {".png": png, ".jpg": jpeg, ".jpeg": jpeg}
+    encoder = encoders.get(path.suffix.lower())
+    if encoder is None:
+        raise RenderError(f"{path}: no picture format ends in {path.suffix!r}; use .png, .jpg or .jpeg")
+    try:
+        data = encoder(image)
+    except RenderError as error:
+        raise RenderError(f"{path}: {error}") from error
+    aside = path.with_name(f".{path.name}.part")
+    try:
+        aside.write_bytes(data)
+        os.replace(aside, path)
+    except OSError as error:
+        _discard(aside)
+        raise RenderError(f"{path}: the picture cannot be written: {error.strerror or error}") from error
+
+
+def _encode(ending: str, image: NDArray[np.uint8], options: List[int]) -> bytes:
+    cv2 = opencv()
+    if image.ndim != 3 or image.shape[2] != 3 or image.dtype.name != "uint8" or not image.size:
+        raise RenderError(
+            f"a picture of shape {image.shape} and type {image.dtype.name} cannot be encoded as {ending}; "
+            "it must be (height, width, 3) of uint8, not empty"
+        )
+    try:
+        done, data = cv2.imencode(ending, image, options)
+    except cv2.error as error:
+        raise RenderError(f"OpenCV cannot encode a picture of shape {image.shape} as {ending}: {error}") from error
+    if not done:
+        raise RenderError(f"OpenCV cannot encode a picture of shape {image.shape} as {ending}")
+    return bytes(data)
+
+
+def _discard(path: Path) -> None:
+    try:
+        path.unlink()
+    except OSError:
+        pass

@@ -1,0 +1,141 @@
+"""The scene as markers for RViz and its like."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Dict, List, Optional, Tuple
+
+from rqt_mrta_py.hooks import MonitorView, Outgoing, RobotSight
+from rqt_mrta_py.model import Allocation, Outcome, Pose, RobotState, Task
+from rqt_mrta_py.render.palette import STATE_COLOURS, Colour, TaskColours
+
+__all__ = ["MARKERS_TOPIC", "team_markers"]
+
+MARKERS_TOPIC = "/mrta/markers"
+
+# visualization_msgs/Marker
+_ARROW, _CUBE, _CYLINDER, _LINE_STRIP, _TEXT_VIEW_FACING = 0, 1, 3, 4, 9
+_ADD, _DELETE = 0, 2
+
+_BODY_HEIGHT = 0.25
+_TEXT_HEIGHT = 0.22
+_UPRIGHT = {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}
+
+
+def team_markers(view: MonitorView, stamp: float, lifetime: float = 3.0) -> Outgoing:
+    """Show robots, task places and open allocations.
+
+    Namespaces and ids are stable over a mission: ``robots``, ``headings`` and ``robot_names`` count robots, ``tasks``
+    and ``task_names`` count tasks, both in the scene's order; ``allocations/<robot>`` counts tasks. The line of an
+    allocation that ended less than a lifetime ago is deleted; an older one has faded by itself.
+
+    Args:
+        view: the mission at one moment.
+        stamp: of the message's headers [s].
+        lifetime: how long markers stay without being renewed; longer than the time between two messages [s].
+
+    Returns:
+        A visualization_msgs/MarkerArray in the frame ``map``.
+    """
+    builder = _Builder(stamp, lifetime)
+    colours = TaskColours.of(view)
+    states = {robot.id: robot.state for robot in view.record.robots}
+    for number, robot in enumerate(view.scene.robots):
+        if robot.pose is not None:
+            builder.robot(number, robot, robot.pose, STATE_COLOURS[states.get(robot.id, RobotState.OFFLINE)])
+    for number, task in enumerate(view.scene.tasks):
+        if task.place is not None:
+            builder.task(number, task, task.place, colours[task.id])
+    _allocations(builder, view, colours, lifetime)
+    return Outgoing(MARKERS_TOPIC, "visualization_msgs/MarkerArray", {"markers": builder.markers})
+
+
+def _allocations(builder: _Builder, view: MonitorView, colours: TaskColours, lifetime: float) -> None:
+    poses = {robot.id: robot.pose for robot in view.scene.robots}
+    places = {task.id: (number, task.place) for number, task in enumerate(view.scene.tasks)}
+    lines: Dict[Tuple[str, int], Optional[Tuple[Pose, Pose, Colour]]] = {}
+    for allocation in view.record.allocations:
+        number, place = places.get(allocation.task, (-1, None))
+        pose = poses.get(allocation.robot)
+        if place is None or pose is None:
+            continue
+        if allocation.outcome is Outcome.OPEN:
+            lines[allocation.robot, number] = (pose, place, colours[allocation.task])
+        elif _just_ended(allocation, view.now, lifetime):
+            lines.setdefault((allocation.robot, number), None)
+    for (robot, number), line in sorted(lines.items(), key=lambda item: item[0]):
+        builder.allocation(robot, number, line)
+
+
+def _just_ended(allocation: Allocation, now: float, lifetime: float) -> bool:
+    return allocation.end >= now - lifetime
+
+
+class _Builder:
+    """Collects markers that share stamp and lifetime."""
+
+    def __init__(self, stamp: float, lifetime: float) -> None:
+        self._stamp = stamp
+        self._lifetime = lifetime
+        self.markers: List[Dict[str, Any]] = []
+
+    def robot(self, number: int, robot: RobotSight, pose: Pose, colour: Colour) -> None:
+        across = 2.0 * robot.radius
+        body = {"x": across, "y": across, "z": _BODY_HEIGHT}
+        self._add("robots", number, _CYLINDER, _at(pose, _BODY_HEIGHT / 2.0), body, colour)
+        arrow = {"x": 1.8 * robot.radius, "y": 0.05, "z": 0.05}
+        self._add("headings", number, _ARROW, _at(pose, _BODY_HEIGHT, turned=True), arrow, _DARK)
+        self._text("robot_names", number, robot.id, pose, _BODY_HEIGHT + _TEXT_HEIGHT)
+
+    def task(self, number: int, task: Task, place: Pose, colour: Colour) -> None:
+        self._add("tasks", number, _CUBE, _at(place, 0.02, turned=True), {"x": 0.3, "y": 0.3, "z": 0.04}, colour)
+        self._text("task_names", number, task.id, place, 2.0 * _TEXT_HEIGHT)
+
+    def allocation(self, robot: str, number: int, line: Optional[Tuple[Pose, Pose, Colour]]) -> None:
+        namespace = f"allocations/{robot}"
+        if line is None:
+            marker = self._marker(namespace, number, _LINE_STRIP)
+            marker["action"] = _DELETE
+            return
+        start, end, colour = line
+        points = [{"x": start.x, "y": start.y, "z": _BODY_HEIGHT}, {"x": end.x, "y": end.y, "z": 0.05}]
+        marker = self._add(
+            namespace, number, _LINE_STRIP, _at(Pose(0.0, 0.0), 0.0), {"x": 0.04, "y": 0.0, "z": 0.0}, colour
+        )
+        marker["points"] = points
+
+    def _text(self, namespace: str, number: int, text: str, place: Pose, height: float) -> None:
+        scale = {"x": 0.0, "y": 0.0, "z": _TEXT_HEIGHT}
+        marker = self._add(namespace, number, _TEXT_VIEW_FACING, _at(place, height), scale, _DARK)
+        marker["text"] = text
+
+    def _add(
+        self, namespace: str, number: int, type_: int, pose: Dict[str, Any], scale: Dict[str, float], colour: Colour
+    ) -> Dict[str, Any]:
+        marker = self._marker(namespace, number, type_)
+        red, green, blue = (part / 255.0 for part in colour)
+        marker.update(pose=pose, scale=scale, color={"r": red, "g": green, "b": blue, "a": 1.0})
+        return marker
+
+    def _marker(self, namespace: str, number: int, type_: int) -> Dict[str, Any]:
+        marker: Dict[str, Any] = {
+            "header": {"stamp": self._stamp, "frame_id": "map"},
+            "ns": namespace,
+            "id": number,
+            "type": type_,
+            "action": _ADD,
+            "pose": _at(Pose(0.0, 0.0), 0.0),
+            "lifetime": self._lifetime,
+        }
+        self.markers.append(marker)
+        return marker
+
+
+_DARK: Colour = (34, 40, 49)
+
+
+def _at(pose: Pose, height: float, turned: bool = False) -> Dict[str, Any]:
+    orientation = _UPRIGHT
+    if turned:
+        orientation = {"x": 0.0, "y": 0.0, "z": math.sin(pose.yaw / 2.0), "w": math.cos(pose.yaw / 2.0)}
+    return {"position": {"x": pose.x, "y": pose.y, "z": height}, "orientation": orientation}

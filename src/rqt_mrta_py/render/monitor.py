@@ -1,0 +1,73 @@
+"""The monitor picture: one moment of a mission on 1280 x 720 pixels."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING, Tuple
+
+import numpy as np
+
+from rqt_mrta_py.hooks import MonitorView
+from rqt_mrta_py.model import Arena, Obstacle
+from rqt_mrta_py.render.arena import draw_arena
+from rqt_mrta_py.render.canvas import Box, Canvas
+from rqt_mrta_py.render.curves import draw_curves
+from rqt_mrta_py.render.events import draw_events
+from rqt_mrta_py.render.floor import ArenaMap, draw_floor, extent
+from rqt_mrta_py.render.header import BAND, draw_header
+from rqt_mrta_py.render.layout import ARENA, HEADER, HEIGHT, SIDE, TEAM, TIMELINE, WIDTH, inside, panel
+from rqt_mrta_py.render.palette import PAGE, TaskColours
+from rqt_mrta_py.render.tasks import draw_tasks, tasks_height
+from rqt_mrta_py.render.team import draw_team
+from rqt_mrta_py.render.timeline import draw_timeline
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["draw_monitor"]
+
+_LEAST_EVENTS = 120.0
+_GAP = 10.0
+
+
+def draw_monitor(view: MonitorView) -> NDArray[np.uint8]:
+    """Draw the arena, the team, the tasks, allocations over time, curves and the newest events.
+
+    Args:
+        view: the mission at one moment.
+
+    Returns:
+        A picture (720, 1280, 3), blue, green, red; equal for equal views.
+
+    Raises:
+        MissingDependencyError: OpenCV, Pillow or the font is not installed.
+    """
+    floor = extent(view.scene)
+    canvas = Canvas(_ground(floor, view.scene.obstacles).copy())
+    colours = TaskColours.of(view)
+    draw_header(canvas, view)
+    draw_arena(canvas, ArenaMap(floor, inside(ARENA)), view, colours)
+    draw_team(canvas, view, colours)
+    height = tasks_height(len(view.record.tasks), SIDE.height - _LEAST_EVENTS - _GAP)
+    tasks = Box(SIDE.left, SIDE.top, SIDE.right, round(SIDE.top + height))
+    events = Box(SIDE.left, tasks.bottom + _GAP, SIDE.right, SIDE.bottom)
+    panel(canvas, tasks, "Tasks")
+    draw_tasks(canvas, tasks, view, colours)
+    panel(canvas, events, "Events, newest first")
+    draw_events(canvas, events, view)
+    draw_timeline(canvas, view, colours)
+    draw_curves(canvas, view, colours)
+    return canvas.image
+
+
+@lru_cache(maxsize=2)
+def _ground(floor: Arena, obstacles: Tuple[Obstacle, ...]) -> NDArray[np.uint8]:
+    """Draw once what is the same in all pictures of a mission; a function of its arguments alone."""
+    canvas = Canvas(np.empty((HEIGHT, WIDTH, 3), dtype=np.uint8))
+    canvas.fill(Box(0, 0, WIDTH, HEIGHT), PAGE)
+    canvas.fill(HEADER, BAND)
+    panel(canvas, ARENA, "Arena")
+    draw_floor(canvas, ArenaMap(floor, inside(ARENA)), obstacles)
+    panel(canvas, TEAM, "Team")
+    panel(canvas, TIMELINE, "Allocations")
+    return canvas.image

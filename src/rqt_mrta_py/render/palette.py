@@ -1,0 +1,140 @@
+"""Colours, after Okabe and Ito, that people with any kind of colour vision tell apart.
+
+States have the colours of lights, tasks have all others: a task looks the same in the arena, in lists, on bars and
+as a curve. No colour stands alone: lights carry a sign, bars and lines a name.
+"""
+
+from __future__ import annotations
+
+from typing import Dict, Iterable, Mapping, Tuple
+
+from rqt_mrta_py.hooks import MonitorView
+from rqt_mrta_py.model import RobotState, Severity, TaskState
+
+__all__ = [
+    "ACCENT",
+    "FAINT",
+    "FRAME",
+    "GRID",
+    "INK",
+    "MUTED",
+    "PAGE",
+    "SEVERITY_COLOURS",
+    "STATE_COLOURS",
+    "TASK_COLOURS",
+    "TASK_STATE_COLOURS",
+    "WHITE",
+    "Colour",
+    "TaskColours",
+    "mix",
+    "readable_on",
+]
+
+Colour = Tuple[int, int, int]
+"""Red, green, blue, 0 to 255 each."""
+
+PAGE: Colour = (238, 241, 244)
+WHITE: Colour = (255, 255, 255)
+FRAME: Colour = (205, 211, 218)
+GRID: Colour = (231, 234, 238)
+FAINT: Colour = (243, 245, 247)
+INK: Colour = (31, 36, 44)
+MUTED: Colour = (92, 101, 112)
+ACCENT: Colour = (38, 70, 110)
+
+_GREEN: Colour = (0, 158, 115)
+_YELLOW: Colour = (240, 228, 66)
+_GREY: Colour = (145, 151, 160)
+_BLUE: Colour = (0, 114, 178)
+_VERMILLION: Colour = (213, 94, 0)
+_ORANGE: Colour = (230, 159, 0)
+_SKY: Colour = (86, 180, 233)
+_PURPLE: Colour = (204, 121, 167)
+_RED: Colour = (190, 26, 38)
+
+STATE_COLOURS: Mapping[RobotState, Colour] = {
+    RobotState.IDLE: _GREEN,
+    RobotState.BUSY: _YELLOW,
+    RobotState.OFFLINE: _GREY,
+}
+
+TASK_STATE_COLOURS: Mapping[TaskState, Colour] = {
+    TaskState.WAITING: _GREY,
+    TaskState.ALLOCATED: (250, 244, 178),
+    TaskState.EXECUTING: _YELLOW,
+    TaskState.DONE: _GREEN,
+    TaskState.FAILED: _RED,
+    TaskState.WITHDRAWN: (203, 207, 213),
+}
+
+SEVERITY_COLOURS: Mapping[Severity, Colour] = {
+    Severity.INFO: (120, 130, 142),
+    Severity.WARNING: _ORANGE,
+    Severity.ERROR: _RED,
+}
+
+# The palette's colours that no light has, then four that stay apart from them by lightness.
+TASK_COLOURS: Tuple[Colour, ...] = (
+    _BLUE,
+    _VERMILLION,
+    _PURPLE,
+    _SKY,
+    _ORANGE,
+    (68, 51, 132),
+    (128, 32, 80),
+    (148, 138, 60),
+    (16, 98, 98),
+    (110, 76, 52),
+)
+
+
+class TaskColours:
+    """One colour per task or curve label, by order of first mention; after the last colour the first follows.
+
+    Args:
+        labels: ids of tasks, then labels of curves; a label mentioned again keeps its colour.
+    """
+
+    def __init__(self, labels: Iterable[str]) -> None:
+        self._colours: Dict[str, Colour] = {}
+        for label in labels:
+            if label not in self._colours:
+                self._colours[label] = TASK_COLOURS[len(self._colours) % len(TASK_COLOURS)]
+
+    @classmethod
+    def of(cls, view: MonitorView) -> TaskColours:
+        """Give colours to the tasks of a view, then to whatever else its curves show."""
+        labels = [task.id for task in view.record.tasks]
+        labels += [task.id for task in view.scene.tasks]
+        labels += [allocation.task for allocation in view.record.allocations]
+        labels += [curve.label for panel in view.panels for group in panel.groups for curve in group.curves]
+        return cls(labels)
+
+    def __getitem__(self, label: str) -> Colour:
+        return self._colours.get(label, MUTED)
+
+
+def mix(colour: Colour, other: Colour, share: float) -> Colour:
+    """Give the colour that lies between two.
+
+    Args:
+        colour: where the share is 0.
+        other: where the share is 1.
+        share: from 0 to 1.
+    """
+    red, green, blue = (round(a + (b - a) * share) for a, b in zip(colour, other))
+    return red, green, blue
+
+
+def readable_on(colour: Colour) -> Colour:
+    """Give ink or white, whichever reads better on a ground of this colour.
+
+    Args:
+        colour: of the ground; its relative luminance (WCAG 2.1) decides, white being favoured a little.
+    """
+    red, green, blue = (_linear(part / 255.0) for part in colour)
+    return INK if 0.2126 * red + 0.7152 * green + 0.0722 * blue > 0.26 else WHITE
+
+
+def _linear(part: float) -> float:
+    return part / 12.92 if part <= 0.03928 else float(((part + 0.055) / 1.055) ** 2.4)

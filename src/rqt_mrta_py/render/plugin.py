@@ -1,0 +1,16 @@
+"""The pictures of the main package, registered as a stranger would register theirs."""
+
+from __future__ import annotations
+
+from typing import Mapping
+
+from rqt_mrta_py.hooks import Renderer, hookimpl
+from rqt_mrta_py.render.monitor import draw_monitor
+
+__all__ = ["mrta_register_renderers"]
+
+
+@hookimpl
+def mrta_register_renderers() -> Mapping[str, Renderer]:
+    """Name the monitor picture."""
+    return {"monitor": draw_monitor}

@@ -1,0 +1,96 @@
+"""Follows the stream to know where everything is."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Dict, Mapping, Optional, Sequence, Tuple
+
+from rqt_mrta_py.hooks import Heard, RobotSight, SceneView, Subscription
+from rqt_mrta_py.model import Mission, Pose, normalise_id
+from rqt_mrta_py.render.path import PathKeeper
+
+__all__ = ["DEFAULT_RADIUS", "SceneTracker"]
+
+DEFAULT_RADIUS = 0.2
+"""Radius drawn for a robot of unknown model [m]."""
+
+_FIELDS = (
+    "header/frame_id",
+    "pose/position/x",
+    "pose/position/y",
+    "pose/orientation/x",
+    "pose/orientation/y",
+    "pose/orientation/z",
+    "pose/orientation/w",
+)
+
+
+class SceneTracker:
+    """Knows the arena, and from the stream's poses where each robot is and was; a Listener.
+
+    Robots of the mission come first, in its order, then any other that tells its pose, by first sight. Poses in
+    another frame than ``map``, or not finite, are passed over.
+
+    Args:
+        mission: whose scenario, if any, tells arena, obstacles and the robots' models.
+        radii: radius of a robot [m] by the name of its model.
+        trail: how far back trails reach [s].
+    """
+
+    def __init__(self, mission: Mission, radii: Mapping[str, float], trail: float = 60.0) -> None:
+        scenario = mission.scenario
+        self._arena = scenario.arena if scenario else None
+        self._obstacles = scenario.obstacles if scenario else ()
+        self._tasks = mission.tasks
+        self._radius = (
+            {robot.id: radii.get(robot.model, DEFAULT_RADIUS) for robot in scenario.robots} if scenario else {}
+        )
+        self._trail = trail
+        self._poses: Dict[str, Optional[Pose]] = {robot.id: None for robot in mission.application.robots}
+        self._paths: Dict[str, PathKeeper] = {robot: PathKeeper(trail) for robot in self._poses}
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        """Ask for every robot's pose."""
+        return (Subscription("/@robot_id@/pose", "geometry_msgs/PoseStamped", _FIELDS),)
+
+    def hear(self, heard: Heard) -> None:
+        """Take in one pose.
+
+        Args:
+            heard: a message subscribed to.
+        """
+        pose = _pose(heard.fields)
+        if pose is None:
+            return
+        robot = normalise_id(heard.robot)
+        path = self._paths.get(robot)
+        if path is None:
+            path = self._paths[robot] = PathKeeper(self._trail)
+        self._poses[robot] = pose
+        path.add(heard.receipt, pose.x, pose.y)
+
+    def view(self, now: float) -> SceneView:
+        """Give the scene with the trails of the last seconds, for a monitor picture.
+
+        Args:
+            now: the moment shown, not before the newest message heard [s].
+        """
+        return self._view({robot: path.recent(now) for robot, path in self._paths.items()})
+
+    def whole_view(self) -> SceneView:
+        """Give the scene with the robots' whole paths, thinned, for a picture of the whole mission."""
+        return self._view({robot: path.whole() for robot, path in self._paths.items()})
+
+    def _view(self, trails: Mapping[str, Tuple[Tuple[float, float, float], ...]]) -> SceneView:
+        robots = tuple(
+            RobotSight(robot, pose, self._radius.get(robot, DEFAULT_RADIUS), trails[robot])
+            for robot, pose in self._poses.items()
+        )
+        return SceneView(self._arena, self._obstacles, robots, self._tasks)
+
+
+def _pose(fields: Mapping[str, Any]) -> Optional[Pose]:
+    frame, x, y, qx, qy, qz, qw = (fields[name] for name in _FIELDS)
+    if normalise_id(frame) != "map" or not math.isfinite(x + y + qx + qy + qz + qw):
+        return None
+    return Pose(x, y, math.atan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz)))
