@@ -1,8 +1,7 @@
 """The contract between host and plugins: what a plugin may import besides ``model``.
 
 * ``specs``: every hook; ``hookimpl`` marks an implementation
-* ``manager``: checks plugins against the contract, calls them in a defined order
-* ``loading``: imports the plugins that were discovered
+* ``manager``: loads plugins, calls them in a defined order; ``contract`` checks them when they are registered
 * ``stream``: messages, subscriptions, the codec's Protocol
 * ``agent``, ``behaviour``, ``evaluator``, ``navigator``: on the robot
 * ``world``, ``robot_model``, ``sensor``, ``link``: in simulation
@@ -43,8 +42,7 @@ from rqt_mrta_py.hooks.incident import (
     TaskStateChanged,
 )
 from rqt_mrta_py.hooks.link import Link
-from rqt_mrta_py.hooks.loading import LoadFailure, load_plugin, load_plugins
-from rqt_mrta_py.hooks.manager import PluginManager
+from rqt_mrta_py.hooks.manager import PluginManager, load_plugin, load_plugins
 from rqt_mrta_py.hooks.navigator import CostField, Navigator
 from rqt_mrta_py.hooks.parameters import ParameterProblem
 from rqt_mrta_py.hooks.picture import (
@@ -112,7 +110,6 @@ __all__ = [
     "InterpreterSetup",
     "Link",
     "Listener",
-    "LoadFailure",
     "MonitorPanel",
     "MonitorPanelFactory",
     "MonitorView",

@@ -55,7 +55,7 @@ class RobotHeard(NamedTuple):
 
 
 class TaskStateChanged(NamedTuple):
-    """A task's state changed at a time [s]."""
+    """A task's state changed at a time [s]; one that comes up on the way is WAITING before and after."""
 
     time: float
     task: str
@@ -119,6 +119,16 @@ class IncidentBoard(Protocol):
         """
         ...
 
+    def amend(self, key: str, text: str, evidence: Sequence[Evidence] = ()) -> None:
+        """Say more of an open incident, for instance who took over; nothing happens if none has this key.
+
+        Args:
+            key: as given to ``open``.
+            text: replaces the sentence.
+            evidence: added to what was given.
+        """
+        ...
+
     def close(self, key: str, end: float, text: Optional[str] = None, evidence: Sequence[Evidence] = ()) -> None:
         """End an open incident; nothing happens if none has this key.
 
@@ -158,7 +168,11 @@ class IncidentRule(Protocol):
         ...
 
     def wake(self, time: float, board: IncidentBoard) -> None:
-        """Look again at a time asked for by ``wake_at`` [s]."""
+        """Look again at a time asked for by ``wake_at``, and once when the stream begins, before any fact [s]."""
+        ...
+
+    def finish(self, time: float, board: IncidentBoard) -> None:
+        """Look a last time, when the stream has ended [s]; what is still open then ends there."""
         ...
 
 

@@ -7,25 +7,27 @@ so that every answer and every failure can be told with the plugin's name.
 
 from __future__ import annotations
 
+import importlib
 import inspect
 import logging
-from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Sequence, Tuple
+import sys
+from types import ModuleType
+from typing import Any, Callable, Dict, Iterable, List, Mapping, NamedTuple, Sequence, Tuple, Union
 
 import pluggy
 
-from rqt_mrta_py.config.wording import accepted, nearest, shown
-from rqt_mrta_py.errors import HookError
+from rqt_mrta_py.config.registration import Registration, RegistrationKind, Registry
+from rqt_mrta_py.config.wording import accepted, shown
+from rqt_mrta_py.errors import HookError, Problem
+from rqt_mrta_py.hooks.contract import HOOKS, contract_breaches
 from rqt_mrta_py.hooks.parameters import ParameterProblem
 from rqt_mrta_py.hooks.robot_model import RobotModel
 from rqt_mrta_py.hooks.specs import PROJECT, HookSpecs
 
-__all__ = ["PluginManager"]
+__all__ = ["PluginManager", "load_plugin", "load_plugins"]
 
 _log = logging.getLogger("rqt_mrta_py.hooks")
 
-_PREFIX = "mrta_"
-_MARK = f"{PROJECT}_impl"
-_ORDER_OPTIONS = ("tryfirst", "trylast", "hookwrapper", "wrapper")
 _REGISTERED_TYPES: Mapping[str, type] = {"mrta_register_robot_models": RobotModel}
 """Hooks that register values of a type; all others register something to be called."""
 
@@ -58,11 +60,6 @@ class PluginManager:
         self._pluggy = _Pluggy(PROJECT)
         self._pluggy.add_hookspecs(HookSpecs)
         self._names: List[str] = []
-        self._hooks: Dict[str, inspect.Signature] = {
-            name: _signature(member)
-            for name, member in vars(HookSpecs).items()
-            if name.startswith(_PREFIX) and inspect.isfunction(member)
-        }
 
     @property
     def names(self) -> Tuple[str, ...]:
@@ -82,9 +79,9 @@ class PluginManager:
         """
         if name in self._names:
             raise HookError(f"plugin {name!r} is registered already")
-        complaints = self._complaints(plugin)
-        if complaints:
-            raise HookError(f"plugin {name!r}: {'; '.join(complaints)}")
+        breaches = contract_breaches(plugin)
+        if breaches:
+            raise HookError(f"plugin {name!r}: {'; '.join(breaches)}")
         try:
             self._pluggy.register(plugin, name)
         except ValueError as error:
@@ -178,66 +175,11 @@ class PluginManager:
         return [found[name] for name in self._names if name in found]
 
     def _expect(self, hook: str, role: str, arguments: Mapping[str, Any]) -> None:
-        if hook not in self._hooks or not hook.startswith(role):
-            raise ValueError(f"{hook!r} is no {role}* hook; {accepted(hook, [h for h in self._hooks if role in h])}")
-        wanted = tuple(self._hooks[hook].parameters)
+        if hook not in HOOKS or not hook.startswith(role):
+            raise ValueError(f"{hook!r} is no {role}* hook; {accepted(hook, [h for h in HOOKS if role in h])}")
+        wanted = tuple(HOOKS[hook].parameters)
         if set(wanted) != set(arguments):
-            raise TypeError(f"{hook}{self._hooks[hook]} was called with ({', '.join(arguments)})")
-
-    def _complaints(self, plugin: object) -> List[str]:
-        complaints: List[str] = []
-        taken: Dict[str, str] = {}
-        for name in dir(plugin):
-            if isinstance(inspect.getattr_static(plugin, name, None), property):
-                continue
-            member = getattr(plugin, name, None)
-            if not inspect.isroutine(member):
-                continue
-            options = getattr(member, _MARK, None)
-            if not isinstance(options, dict):
-                if name.startswith(_PREFIX):
-                    complaints.append(f"{name}{_signature(member)} is not marked; put @hookimpl above it")
-                continue
-            hook = options.get("specname") or name
-            complaints.extend(self._misfits(hook, name, _signature(member), options))
-            if hook in taken:
-                complaints.append(f"{taken[hook]} and {name} both implement {hook}; one plugin answers a hook once")
-            taken[hook] = name
-        return complaints
-
-    def _misfits(self, hook: str, name: str, signature: inspect.Signature, options: Mapping[str, Any]) -> List[str]:
-        own = f"{name}{signature}"
-        if hook not in self._hooks:
-            match = nearest(hook, self._hooks)
-            if match is None:
-                return [f"{own} implements {hook}, which is no hook; {accepted(hook, self._hooks)}"]
-            return [f"{own} implements {hook}, which is no hook; nearest is {match}{self._hooks[match]}"]
-        contract = f"the contract says {hook}{self._hooks[hook]}"
-        misfits = []
-        for parameter in signature.parameters.values():
-            if parameter.kind in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD):
-                misfits.append(f"{own} takes {parameter}, which no hook fills in; {contract}")
-            elif parameter.name not in self._hooks[hook].parameters:
-                misfits.append(f"{own} asks for {parameter.name!r}, which the hook does not give; {contract}")
-            elif parameter.default is not parameter.empty:
-                misfits.append(f"{own} has a default for {parameter.name!r}, which then is never given; {contract}")
-        misfits.extend(
-            f"{own} asks for {option}, but plugins are asked in the order of discovery; leave it out"
-            for option in _ORDER_OPTIONS
-            if options.get(option)
-        )
-        return misfits
-
-
-def _signature(member: Any) -> inspect.Signature:
-    """Give a signature without annotations, and without the ``self`` of a specification."""
-    signature = inspect.signature(member)
-    parameters = [
-        parameter.replace(annotation=parameter.empty)
-        for parameter in signature.parameters.values()
-        if parameter.name != "self"
-    ]
-    return signature.replace(parameters=parameters, return_annotation=inspect.Signature.empty)
+            raise TypeError(f"{hook}{HOOKS[hook]} was called with ({', '.join(arguments)})")
 
 
 def _call(implementation: _Implementation, hook: str, arguments: Mapping[str, Any]) -> Any:
@@ -264,3 +206,62 @@ def _check_registered(implementation: _Implementation, hook: str, name: object, 
         raise _misfit(implementation, hook, f"registers {name!r} as {shown(value)}; something callable is needed")
     if wanted is not None and not isinstance(value, wanted):
         raise _misfit(implementation, hook, f"registers {name!r} as {shown(value)}; a {wanted.__name__} is needed")
+
+
+def load_plugins(source: Union[Registry, Iterable[Registration]], manager: PluginManager) -> Tuple[Problem, ...]:
+    """Import and register plugins, in order; one that fails is left out and the others go on.
+
+    Args:
+        source: what was discovered; registrations that are no plugins are passed over.
+        manager: takes the plugins in, each under its module's name; one registered twice counts once.
+
+    Returns:
+        What failed, one problem for each plugin. Whether one was needed is the caller's to know.
+    """
+    registrations = source.registrations if isinstance(source, Registry) else source
+    failures = []
+    for registration in registrations:
+        if registration.kind is not RegistrationKind.PLUGIN or registration.plugin in manager.names:
+            continue
+        try:
+            load_plugin(registration, manager)
+        except HookError as error:
+            _log.info("event=plugin_failed package=%s module=%s", registration.package, registration.plugin)
+            failures.append(Problem(str(registration.manifest), registration.line, "", str(error)))
+    return tuple(failures)
+
+
+def load_plugin(registration: Registration, manager: PluginManager) -> None:
+    """Import one plugin and register it.
+
+    Args:
+        registration: of kind PLUGIN.
+        manager: takes the plugin in.
+
+    Raises:
+        HookError: the module cannot be imported, naming package, module and cause; or it does not keep the contract.
+    """
+    module_name, _, attribute = registration.plugin.partition(":")
+    try:
+        plugin: object = _import(module_name, registration)
+        for part in attribute.split(".") if attribute else ():
+            plugin = getattr(plugin, part)
+    except (Exception, SystemExit) as error:
+        raise HookError(
+            f"package {registration.package!r}: plugin {registration.plugin!r} cannot be imported: "
+            f"{type(error).__name__}: {error}"
+        ) from error
+    manager.register(plugin, registration.plugin)
+
+
+def _import(module: str, registration: Registration) -> ModuleType:
+    try:
+        return importlib.import_module(module)
+    except ImportError:
+        source = registration.folder / "src"
+        if str(source) in sys.path or not source.is_dir():
+            raise
+    # A package that is neither installed nor sourced; behind everything that is.
+    sys.path.append(str(source))
+    importlib.invalidate_caches()
+    return importlib.import_module(module)
