@@ -1,0 +1,115 @@
+"""One behaviour set of one robot: its motivation, cycle by cycle."""
+
+from __future__ import annotations
+
+from typing import Optional, Sequence
+
+from mrta_alliance import equations
+from mrta_alliance.equations import Announcements
+from mrta_alliance.messages import MOTIVATION_TYPE, header, motivation_topic
+from mrta_alliance.parameters import BehaviourSetParameters
+from rqt_mrta_py.hooks import Outgoing
+
+__all__ = ["BehaviourSet"]
+
+
+class BehaviourSet:
+    """A behaviour set c_ij with everything that moves it (equations 3.2 to 3.9).
+
+    Attributes:
+        parameters: what it was told.
+        motivation: in [0, threshold] [1].
+        active_since: the cycle at which it became active; None while it is not [s].
+        impatience, acquiescent, suppressed, resetted, applicable: as of the newest cycle.
+    """
+
+    def __init__(self, parameters: BehaviourSetParameters, pace: float = 1.0) -> None:
+        """Start without motivation.
+
+        Args:
+            parameters: see there.
+            pace: factor on impatience, at least 1: this robot's head start.
+        """
+        self.parameters = parameters
+        self._pace = pace
+        self._topic = motivation_topic(parameters.task_id)
+        self.motivation = 0.0
+        self.active_since: Optional[float] = None
+        self.impatience = 0.0
+        self.acquiescent = False
+        self.suppressed = False
+        self.resetted = False
+        self.applicable = False
+
+    @property
+    def active(self) -> bool:
+        """Tell whether this is the behaviour set that the robot acts upon."""
+        return self.active_since is not None
+
+    def drop(self) -> None:
+        """Let the task go at once."""
+        self.motivation = 0.0
+        self.active_since = None
+
+    def evaluate(
+        self,
+        now: float,
+        before: float,
+        others: Sequence[Announcements],
+        *,
+        timeout: float,
+        applicable: bool,
+        suppressed: bool,
+    ) -> None:
+        """Go through one cycle.
+
+        Args:
+            now: the time of this cycle [s].
+            before: the time of the cycle before [s].
+            others: what is known of robots that announced the task.
+            timeout: tau [s].
+            applicable: equation 3.1.
+            suppressed: equation 3.2.
+        """
+        told = self.parameters
+        self.impatience = self._pace * equations.impatience(others, now, timeout, told.threshold, told.fast_rate)
+        self.acquiescent = self.active_since is not None and equations.acquiescent(
+            others,
+            self.active_since,
+            now,
+            timeout=timeout,
+            yielding_delay=told.yielding_delay,
+            giving_up_delay=told.giving_up_delay,
+        )
+        self.suppressed = suppressed
+        self.resetted = equations.reset(others, before, now)
+        self.applicable = applicable
+        self.motivation = equations.motivation(
+            self.motivation,
+            self.impatience,
+            is_applicable=applicable,
+            is_inhibited=suppressed,
+            is_reset=self.resetted,
+            is_acquiescent=self.acquiescent,
+            threshold=told.threshold,
+        )
+        if not equations.active(self.motivation, told.threshold):
+            self.active_since = None
+        elif self.active_since is None:
+            self.active_since = now
+
+    def message(self, robot_id: str, now: float) -> Outgoing:
+        """Say how the newest cycle went."""
+        fields = {
+            "header": header(robot_id, now),
+            "task_id": self.parameters.task_id,
+            "impatience": self.impatience,
+            "acquiescent": self.acquiescent,
+            "suppressed": self.suppressed,
+            "resetted": self.resetted,
+            "applicable": self.applicable,
+            "motivation": self.motivation,
+            "threshold": self.parameters.threshold,
+            "active": self.active,
+        }
+        return Outgoing(self._topic, MOTIVATION_TYPE, fields)

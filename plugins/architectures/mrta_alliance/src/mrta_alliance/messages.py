@@ -1,0 +1,62 @@
+"""What an ALLIANCE robot says: topics, types and fields of ``alliance_msgs``.
+
+``header/frame_id`` is the robot's id with a leading slash, whichever form its parameters have: by it the original
+nodes know their own messages.
+"""
+
+from __future__ import annotations
+
+from typing import Dict
+
+from rqt_mrta_py.hooks import Outgoing
+from rqt_mrta_py.model import wire_id
+
+__all__ = [
+    "COMMUNICATION_TOPIC",
+    "COMMUNICATION_TYPE",
+    "FEEDBACK_TYPE",
+    "MOTIVATION_TYPE",
+    "announcement",
+    "header",
+    "motivation_topic",
+    "sensory_feedback",
+]
+
+COMMUNICATION_TOPIC = "/alliance/inter_robot_communication"
+COMMUNICATION_TYPE = "alliance_msgs/InterRobotCommunication"
+MOTIVATION_TYPE = "alliance_msgs/Motivation"
+FEEDBACK_TYPE = "alliance_msgs/SensoryFeedback"
+
+
+def header(robot_id: str, now: float) -> Dict[str, object]:
+    """Give the header of a message.
+
+    Args:
+        robot_id: the sender.
+        now: its time, never 0 [s].
+    """
+    return {"stamp": now, "frame_id": wire_id(robot_id)}
+
+
+def motivation_topic(task: str) -> str:
+    """Give the topic of one behaviour set's Motivation, in the robot's namespace."""
+    return f"alliance/motivation/{task}"
+
+
+def sensory_feedback(robot_id: str, now: float, task: str, applicable: bool) -> Outgoing:
+    """Say whether the sensors find a task applicable."""
+    fields = {"header": header(robot_id, now), "task_id": task, "applicable": applicable}
+    return Outgoing("alliance/sensory_feedback", FEEDBACK_TYPE, fields)
+
+
+def announcement(robot_id: str, now: float, task: str, expected_duration: float) -> Outgoing:
+    """Say to all robots that this one carries out a task.
+
+    Args:
+        robot_id: the sender.
+        now: its time [s].
+        task: what it carries out.
+        expected_duration: how long it takes, above 0 [s].
+    """
+    fields = {"header": header(robot_id, now), "task_id": task, "expected_duration": expected_duration}
+    return Outgoing(COMMUNICATION_TOPIC, COMMUNICATION_TYPE, fields)

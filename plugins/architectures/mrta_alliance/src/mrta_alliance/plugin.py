@@ -1,0 +1,28 @@
+"""ALLIANCE's implementations of hooks."""
+
+from __future__ import annotations
+
+from typing import Any, Mapping, Sequence
+
+from mrta_alliance.agent import AllianceAgent
+from mrta_alliance.reading import find_problems
+from rqt_mrta_py.hooks import AgentFactory, ParameterProblem, hookimpl
+from rqt_mrta_py.model import Task
+
+__all__ = ["mrta_check_parameters", "mrta_register_agents"]
+
+_ARCHITECTURE = "mrta_alliance"
+
+
+@hookimpl
+def mrta_register_agents() -> Mapping[str, AgentFactory]:
+    """Name the agent."""
+    return {_ARCHITECTURE: AllianceAgent}
+
+
+@hookimpl
+def mrta_check_parameters(
+    architecture: str, parameters: Mapping[str, Any], tasks: Sequence[Task]
+) -> Sequence[ParameterProblem]:
+    """Find what the equations cannot work with."""
+    return find_problems(parameters, [task.id for task in tasks]) if architecture == _ARCHITECTURE else ()
