@@ -1,4 +1,4 @@
-"""Entry of ``python3 -I bootstrap check|run|test``."""
+"""Entry of ``python3 -I bootstrap LEVEL WHAT``."""
 
 from __future__ import annotations
 

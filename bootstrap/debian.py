@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import List, Optional, Sequence, Tuple
 
 from bootstrap.shell import run, say, tail
-from bootstrap.stamp import LEVELS, apt_allowed
 
 
 @dataclass(frozen=True)
@@ -76,7 +75,7 @@ def provide(level: str, ros_elsewhere: bool) -> bool:
     """
     if shutil.which("dpkg-query") is None or shutil.which("apt-get") is None:
         return False
-    wanted = [group for group in GROUPS if group.level in LEVELS[: LEVELS.index(level) + 1]]
+    wanted = [group for group in GROUPS if group.level in ("run", level)]
     groups = [group for group in wanted if not (group.ros and ros_elsewhere)]
     absent = missing([package for group in groups for package in group.packages])
     if absent and apt_allowed():
@@ -88,6 +87,15 @@ def provide(level: str, ros_elsewhere: bool) -> bool:
             reason = "apt did not bring them" if apt_allowed() else "MRTA_NO_APT is set"
             say(f"not installed ({reason}): {' '.join(lacking)}; without them: no {group.purpose}")
     return bool(absent) and not apt_allowed()
+
+
+def apt_allowed() -> bool:
+    """Tell whether the user left MRTA_NO_APT unset, empty or 0.
+
+    Returns:
+        False for any other value.
+    """
+    return os.environ.get("MRTA_NO_APT", "0") in ("", "0")
 
 
 def missing(packages: Sequence[str]) -> List[str]:

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import List, Optional
 
 from bootstrap import debian, shell
-from bootstrap.stamp import apt_allowed
 
 # Older ones, Ubuntu 20.04's for one, do not know the tags of today's wheels.
 PIP = "pip>=23.1"
@@ -27,7 +26,7 @@ def python_of(checkout: Path) -> Path:
 
 
 def mark(checkout: Path) -> Path:
-    """Give the file that stands while packages are being written: left behind, it tells of an interruption.
+    """Give the file that stands while ``.venv`` is being written: left behind, it tells of an interruption.
 
     Args:
         checkout: Its root folder.
@@ -35,7 +34,7 @@ def mark(checkout: Path) -> Path:
     Returns:
         Path, whether it exists or not.
     """
-    return checkout / ".venv" / "unfinished"
+    return checkout / ".bootstrap.unfinished"
 
 
 def provide(checkout: Path, remake: bool) -> None:
@@ -51,11 +50,12 @@ def provide(checkout: Path, remake: bool) -> None:
     if not remake and not mark(checkout).exists() and _is_sound(checkout):
         return
     folder = checkout / ".venv"
+    maker = _maker()
     shell.say(f"making the virtual environment {folder}")
-    made = shell.run([*_maker(), "--system-site-packages", "--clear", str(folder)])
+    mark(checkout).touch()
+    made = shell.run([*maker, "--system-site-packages", "--clear", str(folder)])
     if made.returncode:
         raise shell.SetupError(f"the virtual environment could not be made{shell.tail(made)}")
-    mark(checkout).touch()
     pip = shell.run([str(python_of(checkout)), "-m", "pip", "install", "-qq", "--no-input", "--upgrade", PIP])
     if pip.returncode:
         raise shell.SetupError(f"pip could not be upgraded; is there a way to a package index?{shell.tail(pip)}")
@@ -63,14 +63,20 @@ def provide(checkout: Path, remake: bool) -> None:
 
 
 def _is_sound(checkout: Path) -> bool:
-    question = "import pip, sys; print(sys.prefix)"
+    folder = checkout / ".venv"
+    try:
+        sees_system = "include-system-site-packages = true" in (folder / "pyvenv.cfg").read_text(encoding="utf-8")
+    except OSError:
+        return False
+    # The system's pip is in sight too; the environment must have its own.
+    question = "import pip, sys; print(pip.__file__.startswith(sys.prefix) and sys.prefix)"
     answer = shell.run([str(python_of(checkout)), "-I", "-c", question])
-    return answer.returncode == 0 and answer.stdout.strip() == str(checkout / ".venv")
+    return sees_system and answer.returncode == 0 and answer.stdout.strip() == str(folder)
 
 
 def _maker() -> List[str]:
     maker = _maker_at_hand()
-    if maker is None and apt_allowed() and shutil.which("apt-get"):
+    if maker is None and debian.apt_allowed() and shutil.which("apt-get"):
         debian.install(["python3-venv"])
         maker = _maker_at_hand()
     if maker is None:

@@ -5,9 +5,11 @@ from __future__ import annotations
 import os
 import shutil
 from pathlib import Path
+from typing import List
 
 from bootstrap import environment, shell
-from bootstrap.stamp import message_files
+
+_FOLDERS = ("msg", "srv", "plugins/messages/*/msg", "plugins/messages/*/srv")
 
 
 def provide(checkout: Path) -> None:
@@ -37,6 +39,19 @@ def provide(checkout: Path) -> None:
     aside.mkdir(exist_ok=True)
     aside.rename(target)
     _put_on_path(python, target)
+
+
+def message_files(checkout: Path) -> List[Path]:
+    """List the message and service definitions of the main package and of those under plugins/messages.
+
+    Args:
+        checkout: Its root folder.
+
+    Returns:
+        Files, sorted.
+    """
+    found = (path for folder in _FOLDERS for path in checkout.glob(f"{folder}/*") if path.suffix in (".msg", ".srv"))
+    return sorted(found)
 
 
 def _has_genpy(python: str) -> bool:

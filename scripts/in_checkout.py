@@ -17,7 +17,7 @@ NEEDED = ("rqt_mrta_py", "catkin_pkg", "cv2", "lxml", "numpy", "pluggy", "pybull
 
 
 def call(module: str, function: str, script: str) -> None:
-    """Leave the process with what a function returns, from the checkout's ``.venv`` if this interpreter lacks a library.
+    """Leave the process with what a function returns, from the checkout's ``.venv`` where this lacks a library.
 
     Args:
         module: Where the function lives.
@@ -47,6 +47,6 @@ def environment_above(script: Path) -> Optional[Path]:
         The checkout's ``.venv/bin/python``, or None outside of a checkout that was set up.
     """
     for folder in script.parents:
-        if (folder / ".venv" / "set-up.json").exists():
+        if (folder / ".venv" / "set-up").exists():
             return folder / ".venv" / "bin" / "python"
     return None
