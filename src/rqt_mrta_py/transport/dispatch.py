@@ -1,0 +1,169 @@
+"""The dispatcher: hands each message of a stream to everybody who subscribed to it."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Set, Tuple
+
+from rqt_mrta_py.errors import TransportError
+from rqt_mrta_py.hooks import Codec, Connection, FieldReader, Heard, Stamped, Subscription
+from rqt_mrta_py.transport.patterns import TopicPattern, resolve_topic
+
+__all__ = ["Dispatcher"]
+
+_ROOT = "/dispatcher"
+"""Names are resolved in the root namespace, for a stream has no node of its own."""
+
+_NOTHING: Mapping[str, Any] = {}
+
+
+class _Wish(NamedTuple):
+    """A subscription with whom to tell."""
+
+    number: int
+    pattern: TopicPattern
+    subscription: Subscription
+    callback: Callable[[Heard], None]
+
+
+class _Listener(NamedTuple):
+    """A wish that a connection meets; without a reader it wants nothing of the content."""
+
+    wish: _Wish
+    robot: str
+    task: str
+    paths: Tuple[str, ...]
+    reader: Optional[FieldReader]
+
+
+class _Complaint(NamedTuple):
+    """A wish that a connection cannot meet; said with its first message."""
+
+    wish: _Wish
+    robot: str
+    task: str
+    text: str
+
+
+class _Route:
+    """Where the messages of one connection go."""
+
+    __slots__ = ("complaints", "connection", "counter", "listeners")
+
+    def __init__(self, connection: Connection, counter: List[int]) -> None:
+        self.connection = connection
+        self.counter = counter
+        self.listeners: Tuple[_Listener, ...] = ()
+        self.complaints: List[_Complaint] = []
+
+
+class Dispatcher:
+    """Hands on a stream of stamped messages, whatever its source.
+
+    Everybody hears in the order of subscribing. What cannot be read is reported once for each connection and
+    subscription, and never stops the stream; an exception of a callback does.
+
+    Args:
+        codec: reads the messages.
+        report: is told of what cannot be read: the message as far as it is known, and why.
+    """
+
+    def __init__(self, codec: Codec, report: Callable[[Heard, str], None]) -> None:
+        self._codec = codec
+        self._report = report
+        self._wishes: List[_Wish] = []
+        self._routes: Dict[Connection, _Route] = {}
+        # Sources hand in the same Connection object again and again: its identity is found faster than its value.
+        self._by_identity: Dict[int, _Route] = {}
+        self._counters: Dict[str, List[int]] = {}
+        self._reported: Set[Tuple[Connection, int]] = set()
+
+    def subscribe(self, subscription: Subscription, callback: Callable[[Heard], None]) -> None:
+        """Hand all messages from now on that a subscription means to a callback.
+
+        Args:
+            subscription: its topic may hold tokens or be EVERYTHING; a relative one stands in the root namespace.
+            callback: is told of each message, in the order of the stream.
+
+        Raises:
+            TransportError: the topic is no name that ROS accepts.
+        """
+        pattern = TopicPattern(resolve_topic(subscription.topic, _ROOT))
+        self._wishes.append(_Wish(len(self._wishes), pattern, subscription, callback))
+        self._routes.clear()
+        self._by_identity.clear()
+
+    def feed(self, stamped: Stamped) -> None:
+        """Hand one message to everybody who wants it.
+
+        Args:
+            stamped: the next message of the stream.
+        """
+        connection = stamped[0]
+        route = self._by_identity.get(id(connection)) or self._route(connection)
+        counter = route.counter
+        ordinal = counter[0]
+        counter[0] = ordinal + 1
+        if route.listeners or route.complaints:
+            self._hand_on(route, stamped, ordinal)
+
+    def _hand_on(self, route: _Route, stamped: Stamped, ordinal: int) -> None:
+        connection, receipt_ns, raw = stamped
+        receipt = receipt_ns / 1_000_000_000
+        topic, type_name, caller = connection.topic, connection.type, connection.caller
+        while route.complaints:
+            wish, robot, task, text = route.complaints.pop(0)
+            self._complain(
+                wish, connection, Heard(topic, type_name, receipt, _NOTHING, robot, task, caller, ordinal), text
+            )
+        read: Dict[Tuple[str, ...], Mapping[str, Any]] = {}
+        for wish, robot, task, paths, reader in route.listeners:
+            if reader is None:
+                fields = _NOTHING
+            elif paths in read:
+                fields = read[paths]
+            else:
+                try:
+                    fields = read[paths] = dict(zip(paths, reader(raw)))
+                except TransportError as error:
+                    heard = Heard(topic, type_name, receipt, _NOTHING, robot, task, caller, ordinal)
+                    self._complain(wish, connection, heard, f"{topic}: {error}")
+                    continue
+            wish.callback(Heard(topic, type_name, receipt, fields, robot, task, caller, ordinal))
+
+    def _complain(self, wish: _Wish, connection: Connection, heard: Heard, text: str) -> None:
+        key = (connection, wish.number)
+        if key not in self._reported:
+            self._reported.add(key)
+            self._report(heard, text)
+
+    def _route(self, connection: Connection) -> _Route:
+        route = self._routes.get(connection)
+        if route is None:
+            route = self._routes[connection] = self._new_route(connection)
+            # The route keeps its connection alive, so that no other object can take over its identity.
+            self._by_identity[id(connection)] = route
+        return route
+
+    def _new_route(self, connection: Connection) -> _Route:
+        route = _Route(connection, self._counters.setdefault(connection.topic, [0]))
+        listeners: List[_Listener] = []
+        for wish in self._wishes:
+            tokens = wish.pattern.match(connection.topic)
+            if tokens is None:
+                continue
+            paths, type_name = wish.subscription.fields, wish.subscription.type
+            reader = None
+            text = ""
+            if type_name and type_name != connection.type:
+                text = f"{connection.topic}: carries {connection.type}, subscribed to as {type_name}"
+            elif paths:
+                try:
+                    reader = self._codec.compile(connection, paths)
+                except TransportError as error:
+                    text = f"{connection.topic}: {error}"
+            if text:
+                route.complaints.append(_Complaint(wish, tokens[0], tokens[1], text))
+            else:
+                listeners.append(_Listener(wish, tokens[0], tokens[1], paths, reader))
+        route.listeners = tuple(listeners)
+        return route
