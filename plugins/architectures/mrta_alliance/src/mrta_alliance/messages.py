@@ -15,6 +15,7 @@ __all__ = [
     "COMMUNICATION_TOPIC",
     "COMMUNICATION_TYPE",
     "FEEDBACK_TYPE",
+    "MOTIVATION_TOPICS",
     "MOTIVATION_TYPE",
     "announcement",
     "header",
@@ -24,6 +25,7 @@ __all__ = [
 
 COMMUNICATION_TOPIC = "/alliance/inter_robot_communication"
 COMMUNICATION_TYPE = "alliance_msgs/InterRobotCommunication"
+MOTIVATION_TOPICS = "/@robot_id@/alliance/motivation/@task_id@"
 MOTIVATION_TYPE = "alliance_msgs/Motivation"
 FEEDBACK_TYPE = "alliance_msgs/SensoryFeedback"
 

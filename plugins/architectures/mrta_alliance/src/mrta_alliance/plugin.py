@@ -5,11 +5,24 @@ from __future__ import annotations
 from typing import Any, Mapping, Sequence
 
 from mrta_alliance.agent import AllianceAgent
+from mrta_alliance.interpreter import AllianceInterpreter
+from mrta_alliance.panel import MotivationPanel
 from mrta_alliance.reading import find_problems
-from rqt_mrta_py.hooks import AgentFactory, ParameterProblem, hookimpl
+from rqt_mrta_py.hooks import (
+    AgentFactory,
+    AllocationInterpreterFactory,
+    MonitorPanelFactory,
+    ParameterProblem,
+    hookimpl,
+)
 from rqt_mrta_py.model import Task
 
-__all__ = ["mrta_check_parameters", "mrta_register_agents"]
+__all__ = [
+    "mrta_check_parameters",
+    "mrta_register_agents",
+    "mrta_register_allocation_interpreters",
+    "mrta_register_monitor_panels",
+]
 
 _ARCHITECTURE = "mrta_alliance"
 
@@ -18,6 +31,18 @@ _ARCHITECTURE = "mrta_alliance"
 def mrta_register_agents() -> Mapping[str, AgentFactory]:
     """Name the agent."""
     return {_ARCHITECTURE: AllianceAgent}
+
+
+@hookimpl
+def mrta_register_allocation_interpreters() -> Mapping[str, AllocationInterpreterFactory]:
+    """Name who reads motivations."""
+    return {_ARCHITECTURE: AllianceInterpreter}
+
+
+@hookimpl
+def mrta_register_monitor_panels() -> Mapping[str, MonitorPanelFactory]:
+    """Name the panel as rqt_alliance's rqt plugin is named, so that original files show it."""
+    return {"rqt_alliance/alliance_plugin": MotivationPanel}
 
 
 @hookimpl
