@@ -1,0 +1,10 @@
+"""Behaviours that most teams of wheeled robots need: wander, avoid, follow the border, go to a place, report there.
+
+* ``plugin``: registers them by the kind of task
+* ``wander``, ``avoid``, ``follow_border``, ``go_to_place``, ``report``: one behaviour each
+* ``evaluators``: sensory evaluators
+* ``settings``: what a task's data may say, with defaults and ranges
+* ``sight``, ``driving``, ``journey``, ``wall``: what behaviours share
+"""
+
+from __future__ import annotations

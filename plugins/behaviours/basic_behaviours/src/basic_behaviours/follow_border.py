@@ -1,0 +1,178 @@
+"""Follow border: along the wall around the arena, at a distance, either way round."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Optional, Sequence
+
+import numpy as np
+
+from basic_behaviours.driving import Driver, open_direction
+from basic_behaviours.settings import SettingsReader, require_between, require_choice
+from basic_behaviours.sight import SCAN, Sight, SightReader
+from basic_behaviours.wall import Wall, wall_beside
+from rqt_mrta_py.hooks import BehaviourSetup, BehaviourStep, Command, Perception, Subscription
+from rqt_mrta_py.model import Pose, Task, Twist, wrap_angle
+
+__all__ = ["FollowBorder", "FollowBorderSettings"]
+
+_SIDES = {"counterclockwise": -1, "clockwise": 1}
+_DISTANCE_GAIN = 1.5
+_STEEPEST = 0.7
+_LOST_BEYOND = 0.7
+_WRAP_AROUND = 4.0
+_ISLAND_TURN = 1.75 * math.pi
+_NEW_SEARCH = 30.0
+
+
+@dataclass(frozen=True)
+class FollowBorderSettings:
+    """What the data of a task of kind ``follow_border`` may say.
+
+    Attributes:
+        speed: at most; also never above the robot's own top speed, from 0.02 to 5 [m/s].
+        distance: of the robot's centre from the wall, from 0.1 to 5 and at least the robot's radius and 0.1 [m].
+        sense: ``counterclockwise`` (the wall is on the right) or ``clockwise`` as seen from above.
+    """
+
+    speed: float = 0.3
+    distance: float = 0.6
+    sense: str = "counterclockwise"
+
+    def __post_init__(self) -> None:
+        require_between("speed", self.speed, 0.02, 5.0, "m/s")
+        require_between("distance", self.distance, 0.1, 5.0, "m")
+        require_choice("sense", self.sense, tuple(_SIDES))
+
+
+class FollowBorder:
+    """Looks for a wall, then keeps it on one side; what stands at the wall is gone around as part of it.
+
+    A thing that stands free is told from the border by the turning: once around the border turns the robot away
+    from the wall by a full circle, once around a free-standing thing turns it towards that thing. After most of a
+    circle of the latter kind it leaves and looks for another wall.
+
+    Never done. Costs the distance to the nearest thing seen.
+
+    Args:
+        setup: whose behaviour; its generator draws where to look for another wall.
+    """
+
+    def __init__(self, setup: BehaviourSetup) -> None:
+        self._model = setup.model
+        self._random = setup.random
+        self._driver = Driver(setup.model, setup.random)
+        self._settings = SettingsReader(FollowBorderSettings)
+        self._sights = SightReader()
+        self._search: Optional[float] = None
+        self._search_until = 0.0
+        self._following = False
+        self._lost_since: Optional[float] = None
+        self._last_yaw = 0.0
+        self._turned = 0.0
+        self._least_turned = 0.0
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        """Hear the range finder."""
+        return (SCAN,)
+
+    def applicable(self, task: Task, perception: Perception) -> bool:
+        """Tell whether robot and surroundings are known."""
+        self._read(task)
+        return perception.pose is not None and self._sights.is_fresh(perception)
+
+    def cost(self, task: Task, perception: Perception) -> Optional[float]:
+        """Give the way to the nearest thing seen [m]; None if nothing is known or seen."""
+        sight = self._sights.read(perception)
+        if sight is None or bool((sight.ranges > 100.0).all()):
+            return None
+        return max(0.0, float(sight.ranges.min()) - self._read(task).distance)
+
+    def start(self, task: Task, perception: Perception) -> None:
+        """Begin by looking for a wall."""
+        self._read(task)
+        self._driver.begin()
+        self._search = None
+        self._following = False
+
+    def step(self, task: Task, perception: Perception) -> BehaviourStep:
+        """Drive; stand still while robot or surroundings are not known."""
+        settings = self._read(task)
+        pose, sight = perception.pose, self._sights.read(perception)
+        if pose is None or sight is None:
+            return BehaviourStep()
+        if not self._following:
+            self._look_for_wall(perception.now, pose, sight, settings)
+        if self._following:
+            twist = self._follow(perception.now, pose, sight, settings)
+        else:
+            wish = wrap_angle((self._search or 0.0) - pose.yaw)
+            twist, _ = self._driver.drive(perception.now, pose, sight, wish, settings.speed, room=0.4)
+        return BehaviourStep((Command("base", twist),))
+
+    def _read(self, task: Task) -> FollowBorderSettings:
+        settings = self._settings.read(task)
+        least = self._model.radius + 0.1
+        if settings.distance < least:
+            raise ValueError(
+                f"task {task.id!r}: data/distance: must be at least {least:g} m for a robot of radius "
+                f"{self._model.radius:g} m (got {settings.distance:g})"
+            )
+        return settings
+
+    def _look_for_wall(self, now: float, pose: Pose, sight: Sight, settings: FollowBorderSettings) -> None:
+        if self._search is None:
+            nearest = float(sight.bearings[int(np.argmin(sight.ranges))])
+            self._search = wrap_angle(pose.yaw + nearest)
+            self._search_until = now + _NEW_SEARCH
+        elif now > self._search_until:
+            self._set_out(now, pose, sight)
+        in_front = np.abs(sight.bearings) < math.pi / 4.0
+        aligned = abs(wrap_angle(self._search - pose.yaw)) < math.pi / 4.0
+        if aligned and in_front.any() and float(sight.ranges[in_front].min()) < settings.distance + 0.3:
+            self._following = True
+            self._lost_since = None
+            self._last_yaw = pose.yaw
+            self._turned = self._least_turned = 0.0
+
+    def _set_out(self, now: float, pose: Pose, sight: Sight) -> None:
+        direction = open_direction(sight, 2.0, self._model.radius + 0.1, self._random)
+        self._search = wrap_angle(pose.yaw + direction)
+        self._search_until = now + _NEW_SEARCH
+        self._following = False
+
+    def _follow(self, now: float, pose: Pose, sight: Sight, settings: FollowBorderSettings) -> Twist:
+        side = _SIDES[settings.sense]
+        # Turning towards the wall counts up.
+        self._turned += side * wrap_angle(pose.yaw - self._last_yaw)
+        self._last_yaw = pose.yaw
+        self._least_turned = min(self._least_turned, self._turned)
+        wall = wall_beside(sight, side, settings.distance + _LOST_BEYOND)
+        if wall is not None:
+            self._lost_since = None
+        elif self._lost_since is None:
+            self._lost_since = now
+        lost_for_good = self._lost_since is not None and now - self._lost_since > _WRAP_AROUND
+        if self._turned - self._least_turned > _ISLAND_TURN or lost_for_good:
+            self._set_out(now, pose, sight)
+        radius = min(self._model.radius + 0.1, 0.8 * settings.distance)
+        twist, _ = self._driver.drive(
+            now,
+            pose,
+            sight,
+            _along(wall, side, settings.distance),
+            settings.speed,
+            room=settings.distance + 0.15 - radius,
+            turn=-side,
+            radius=radius,
+        )
+        return twist
+
+
+def _along(wall: Optional[Wall], side: int, distance: float) -> float:
+    """Give the direction along a wall that leads to the distance wanted; around the corner where there is none."""
+    if wall is None:
+        return side * math.pi / 3.0
+    correction = min(max(_DISTANCE_GAIN * (wall.distance - distance), -_STEEPEST), _STEEPEST)
+    return wrap_angle(wall.bearing - side * math.pi / 2.0 + side * correction)

@@ -1,0 +1,161 @@
+"""A journey to one place: plans a way, follows it, goes around what the map does not know, plans again."""
+
+from __future__ import annotations
+
+import math
+from enum import Enum
+from typing import List, NamedTuple, Optional, Tuple
+
+import numpy as np
+
+from basic_behaviours.driving import Driver
+from basic_behaviours.sight import Sight
+from rqt_mrta_py.hooks import BehaviourSetup, CostField
+from rqt_mrta_py.model import Pose, Twist
+
+__all__ = ["Journey", "JourneyState", "JourneyStep"]
+
+_NEXT_POINT = 0.25
+_CUT_CORNER = 0.6
+_LOOK_AHEAD = 0.8
+_SEEN_WITHIN = 2.0
+_SEEN_RADIUS = 0.02
+_REPLAN_AFTER = 1.0
+_REPLAN_EVERY = 2.0
+_NEARER = 0.2
+
+
+class JourneyState(Enum):
+    """How far a journey has come."""
+
+    UNDER_WAY = "under_way"
+    ARRIVED = "arrived"
+    NO_WAY = "no_way"
+
+
+class JourneyStep(NamedTuple):
+    """One control tick of a journey: its state, what to command, and why there is no way."""
+
+    state: JourneyState
+    twist: Twist = Twist()
+    detail: str = ""
+
+
+class Journey:
+    """Takes the robot to one place at a time.
+
+    There is no way when the known map has none to within the tolerance of the place, or when the robot has not come
+    nearer, along the known map, for as long as patience lasts.
+
+    Args:
+        setup: whose journey.
+    """
+
+    def __init__(self, setup: BehaviourSetup) -> None:
+        self._navigator = setup.navigator
+        self._driver = Driver(setup.model, setup.random)
+        self._place = Pose(0.0, 0.0)
+        self._speed = self._tolerance = self._patience = 0.0
+        self._field: Optional[CostField] = None
+        self._points: List[Pose] = []
+        self._barred_since: Optional[float] = None
+        self._planned = -math.inf
+        self._last = 0.0
+        self._least_left = math.inf
+        self._nearer_at = 0.0
+
+    def left(self, place: Pose, pose: Pose) -> Optional[float]:
+        """Give the length of the way from a pose to a place on the known map [m]; None if there is none."""
+        return self._navigator.cost_field(place).at(pose)
+
+    def begin(self, place: Pose, *, speed: float, tolerance: float, patience: float) -> None:
+        """Set out for a place.
+
+        Args:
+            place: where to, in the frame ``map``; its heading does not matter.
+            speed: at most [m/s].
+            tolerance: how near is there [m].
+            patience: how long to try without coming nearer [s].
+        """
+        self._place, self._speed, self._tolerance, self._patience = place, speed, tolerance, patience
+        self._driver.begin()
+        self._field = None
+        self._barred_since = None
+        self._least_left = math.inf
+
+    def step(self, now: float, pose: Pose, sight: Sight) -> JourneyStep:
+        """Carry out one control tick."""
+        if pose.distance(self._place) <= self._tolerance:
+            return JourneyStep(JourneyState.ARRIVED)
+        if self._field is None:
+            problem = self._set_out(now, pose)
+            if problem:
+                return JourneyStep(JourneyState.NO_WAY, detail=problem)
+        if self._out_of_patience(now, pose):
+            return JourneyStep(JourneyState.NO_WAY, detail=f"came no nearer for {self._patience:g} s")
+        self._pass_points(pose)
+        target = self._points[0]
+        room = min(_LOOK_AHEAD, max(0.1, pose.distance(target) - 0.1))
+        twist, as_wished = self._driver.drive(now, pose, sight, pose.bearing(target), self._speed, room=room)
+        self._replan_if_barred(now, pose, sight, as_wished)
+        return JourneyStep(JourneyState.UNDER_WAY, _slow_down(twist, pose.distance(self._place)))
+
+    def _set_out(self, now: float, pose: Pose) -> str:
+        """Plan on the known map; return why there is no way, or nothing."""
+        self._navigator.observe(())
+        points = self._navigator.path(pose, self._place)
+        if points is None:
+            return "the known map has no way there"
+        short_of = points[-1].distance(self._place)
+        if short_of > self._tolerance:
+            return f"the nearest place that the robot can stand at is {short_of:.2f} m off"
+        self._points = list(points)
+        self._field = self._navigator.cost_field(self._place)
+        self._planned = self._nearer_at = self._last = now
+        return ""
+
+    def _out_of_patience(self, now: float, pose: Pose) -> bool:
+        if now - self._last > 1.0:
+            self._nearer_at += now - self._last  # the robot was stopped; that does not count
+        self._last = now
+        left = self._field.at(pose) if self._field else None
+        if left is not None and left < self._least_left - _NEARER:
+            self._least_left = left
+            self._nearer_at = now
+        return now - self._nearer_at > self._patience
+
+    def _pass_points(self, pose: Pose) -> None:
+        while len(self._points) > 1:
+            here, following = self._points[0], self._points[1]
+            distance = pose.distance(here)
+            beyond = (pose.x - here.x) * (following.x - here.x) + (pose.y - here.y) * (following.y - here.y) > 0.0
+            if distance > (_CUT_CORNER if beyond else _NEXT_POINT):
+                return
+            del self._points[0]
+
+    def _replan_if_barred(self, now: float, pose: Pose, sight: Sight, as_wished: bool) -> None:
+        if as_wished:
+            self._barred_since = None
+            return
+        if self._barred_since is None:
+            self._barred_since = now
+        if now - self._barred_since < _REPLAN_AFTER or now - self._planned < _REPLAN_EVERY:
+            return
+        self._planned = now
+        self._navigator.observe(_seen(pose, sight))
+        points = self._navigator.path(pose, self._place)
+        if points:
+            self._points = list(points)
+
+
+def _seen(pose: Pose, sight: Sight) -> Tuple[Tuple[Pose, float], ...]:
+    near = sight.ranges < _SEEN_WITHIN
+    directions = sight.bearings[near] + pose.yaw
+    xs = (pose.x + sight.ranges[near] * np.cos(directions)).tolist()
+    ys = (pose.y + sight.ranges[near] * np.sin(directions)).tolist()
+    return tuple((Pose(x, y), _SEEN_RADIUS) for x, y in zip(xs, ys))
+
+
+def _slow_down(twist: Twist, distance: float) -> Twist:
+    """Come to the place without overshooting it."""
+    return Twist(min(twist.vx, 0.05 + 0.8 * distance), twist.vy, twist.wz)
