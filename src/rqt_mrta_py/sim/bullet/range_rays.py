@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Tuple
+import math
+from typing import List, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +28,7 @@ def cast_rays(
     """Measure true distances in one plane, looking through the robot's own body.
 
     A ray that begins inside a convex shape does not hit it, so the box around the sensor is no obstacle; wheels and
-    casters would be.
+    casters would be, and are looked past.
 
     Args:
         engine: whose bodies are seen.
@@ -39,37 +40,36 @@ def cast_rays(
     Returns:
         Distances from the centre [m], shape (rays,); infinity where nothing is hit.
     """
-    unit = np.zeros((directions.size, 3))
-    np.cos(directions, out=unit[:, 0])
-    np.sin(directions, out=unit[:, 1])
-    ends = np.asarray(centre) + max_range * unit
-    distances = np.full(directions.size, np.inf)
-    starts = np.tile(np.asarray(centre, dtype=np.float64), (directions.size, 1))
-    travelled = np.zeros(directions.size)
-    pending = np.arange(directions.size)
-    while pending.size:
-        bodies, fractions = _first_hits(engine, starts[pending], ends[pending])
-        reached = travelled[pending] + fractions * (max_range - travelled[pending])
-        own = bodies == own_body
-        other = (bodies >= 0) & ~own
-        distances[pending[other]] = reached[other]
-        pending, reached = pending[own], reached[own] + _STEP_PAST
-        inside = reached < max_range
-        pending, reached = pending[inside], reached[inside]
-        travelled[pending] = reached
-        starts[pending] = np.asarray(centre) + reached[:, np.newaxis] * unit[pending]
-    return distances
-
-
-def _first_hits(
-    engine: Engine, starts: NDArray[np.float64], ends: NDArray[np.float64]
-) -> Tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """Give for each ray the body that it hits first (-1: none) and at which fraction of its length."""
-    bodies = np.empty(len(starts), dtype=np.int64)
-    fractions = np.empty(len(starts))
-    for first in range(0, len(starts), _CHUNK):
+    starts = np.empty((directions.size, 3))
+    starts[:] = centre
+    ends = starts.copy()
+    ends[:, 0] += max_range * np.cos(directions)
+    ends[:, 1] += max_range * np.sin(directions)
+    distances: List[float] = []
+    for first in range(0, directions.size, _CHUNK):
         chunk = slice(first, first + _CHUNK)
         hits = engine.bullet.rayTestBatch(starts[chunk], ends[chunk], physicsClientId=engine.client)
-        bodies[chunk] = [hit[0] for hit in hits]
-        fractions[chunk] = [hit[2] for hit in hits]
-    return bodies, fractions
+        for index, (body, _, fraction, _, _) in enumerate(hits, first):
+            if body == own_body:
+                distances.append(_look_past(engine, own_body, centre, ends[index].tolist(), fraction))
+            else:
+                distances.append(fraction * max_range if body >= 0 else math.inf)
+    return np.array(distances, dtype=np.float64)
+
+
+def _look_past(
+    engine: Engine, own_body: int, centre: Tuple[float, float, float], end: List[float], fraction: float
+) -> float:
+    """Follow one ray on from where it hit the robot itself, at a fraction of its length, to something else [m]."""
+    length = math.dist(centre, end)
+    travelled = fraction * length + _STEP_PAST
+    while travelled < length:
+        start = [a + (b - a) * travelled / length for a, b in zip(centre, end)]
+        body, _, fraction, _, _ = engine.bullet.rayTest(start, end, physicsClientId=engine.client)[0]
+        if body < 0:
+            return math.inf
+        travelled += fraction * (length - travelled)
+        if body != own_body:
+            return travelled
+        travelled += _STEP_PAST
+    return math.inf
