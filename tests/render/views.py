@@ -91,8 +91,14 @@ def crowd(now: float = 140.0, robots: int = 12, tasks: int = 10, groups: int = 1
             robot,
             Pose(2.0 + 0.55 * (i % 4), 1.5 + 0.5 * (i // 4), 0.7 * i),
             0.2,
-            tuple((now - 60 + k, 2.0 + 0.55 * (i % 4) + (60 - k) * 0.06 * math.cos(0.5 * i + 0.05 * k),
-                   1.5 + 0.5 * (i // 4) + (60 - k) * 0.04 * math.sin(0.5 * i + 0.05 * k)) for k in range(61)),
+            tuple(
+                (
+                    now - 60 + k,
+                    2.0 + 0.55 * (i % 4) + (60 - k) * 0.06 * math.cos(0.5 * i + 0.05 * k),
+                    1.5 + 0.5 * (i // 4) + (60 - k) * 0.04 * math.sin(0.5 * i + 0.05 * k),
+                )
+                for k in range(61)
+            ),
         )
         for i, robot in enumerate(names)
     )
@@ -144,7 +150,9 @@ def record_of(
             events.append(Event(end, "allocation_ended", severity, text, robot, task, outcome.value))
         if ended and outcome is Outcome.LOST:
             text = f"{robot} has been silent for 2.0 s while it holds {task}"
-            incidents.append(Incident("robot_silent", Severity.ERROR, end, min(end + 3.4, now), (robot,), (task,), text))
+            incidents.append(
+                Incident("robot_silent", Severity.ERROR, end, min(end + 3.4, now), (robot,), (task,), text)
+            )
             events.append(Event(end, "incident", Severity.ERROR, text, robot, task, "robot_silent"))
     return MissionRecord(
         "border_patrol",

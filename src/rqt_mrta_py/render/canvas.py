@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple, Sequence, Tuple
+from typing import TYPE_CHECKING, NamedTuple, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -13,13 +13,16 @@ from rqt_mrta_py.render.text import Style, ascent, halo_patch, patch, text_width
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Box", "Canvas", "Point", "label_size"]
+__all__ = ["Box", "Canvas", "Point", "Points", "label_size", "slimmed"]
 
 _SHIFT = 4
 _SCALE = 1 << _SHIFT
 
 Point = Tuple[float, float]
 """x to the right, y down [pixels]."""
+
+Points = Union[Sequence[Point], "NDArray[np.float64]"]
+"""Of a line: one point after the other, or an array (points, 2)."""
 
 
 class Box(NamedTuple):
@@ -83,8 +86,9 @@ class Canvas:
 
     def fill(self, box: Box, colour: Colour) -> None:
         """Fill a rectangle of whole pixels."""
-        rows = slice(max(round(box.top), 0), max(round(box.bottom), 0))
-        self.image[rows, max(round(box.left), 0) : max(round(box.right), 0)] = colour[::-1]
+        left, top, right, bottom = (round(edge) for edge in box)
+        if right > left and bottom > top:
+            self._cv2.rectangle(self.image, (left, top), (right - 1, bottom - 1), colour[::-1], -1)
 
     def frame(self, box: Box, colour: Colour, width: int = 1) -> None:
         """Draw the border of a rectangle, inside it."""
@@ -97,27 +101,22 @@ class Canvas:
         ):
             self.fill(edges, colour)
 
-    def line(self, points: Sequence[Point], colour: Colour, width: int = 1, closed: bool = False) -> None:
+    def line(self, points: Points, colour: Colour, width: int = 1, closed: bool = False) -> None:
         """Draw a line through points."""
         self.strokes([points], colour, width, closed)
 
-    def strokes(self, strokes: Sequence[Sequence[Point]], colour: Colour, width: int = 1, closed: bool = False) -> None:
-        """Draw several lines in one colour; each is a sequence of points or an array (points, 2)."""
+    def strokes(self, strokes: Sequence[Points], colour: Colour, width: int = 1, closed: bool = False) -> None:
+        """Draw several lines in one colour."""
         fixed = [_fixed(points) for points in strokes]
         self._cv2.polylines(self.image, fixed, closed, colour[::-1], width, self._cv2.LINE_AA, _SHIFT)
 
-    def dashes(self, start: Point, end: Point, colour: Colour, width: int = 1, dash: float = 6.0) -> None:
-        """Draw a dashed straight line; dashes and gaps have the same length [pixels]."""
-        first, last = np.array(start, dtype=np.float64), np.array(end, dtype=np.float64)
-        length = float(np.hypot(*(last - first)))
-        if length < 1.0:
-            return
-        starts = np.arange(0.0, length, 2.0 * dash)
-        ends = np.minimum(starts + dash, length)
-        step = (last - first) / length
-        self.strokes([(first + a * step, first + b * step) for a, b in zip(starts, ends)], colour, width)
+    def dashes(self, left: float, right: float, y: float, colour: Colour, dash: int = 4) -> None:
+        """Draw a dashed horizontal line, one pixel high; dashes and gaps have the same length [pixels]."""
+        row = min(max(round(y), 0), self.image.shape[0] - 1)
+        for begin in range(round(left), round(right), 2 * dash):
+            self.image[row, begin : min(begin + dash, round(right))] = colour[::-1]
 
-    def polygon(self, points: Sequence[Point], colour: Colour) -> None:
+    def polygon(self, points: Points, colour: Colour) -> None:
         """Fill a polygon."""
         self._cv2.fillPoly(self.image, [_fixed(points)], colour[::-1], self._cv2.LINE_AA, _SHIFT)
 
@@ -129,7 +128,7 @@ class Canvas:
         """Draw a circle."""
         self._circle(centre, radius, colour, width)
 
-    def text(
+    def text(  # noqa: PLR0917 - of words on a page, what, where and how read well in a row
         self,
         x: float,
         y: float,
@@ -162,6 +161,13 @@ class Canvas:
         self.image[into] = words[source]
         return float(words.shape[1])
 
+    def upright_text(self, x: float, y: float, text: str, style: Style, *, colour: Colour, ground: Colour) -> None:
+        """Write upwards on a flat ground, in the middle of a point."""
+        words = np.rot90(patch(text, style, colour, ground)[0])
+        left, top = round(x - words.shape[1] / 2.0), round(y - words.shape[0] / 2.0)
+        into, source = _overlap(self.image.shape, words.shape, left, top)
+        self.image[into] = words[source]
+
     def label(self, box: Box, text: str, style: Style, colour: Colour, halo: Colour) -> None:
         """Write with a halo over anything, in the middle of a box."""
         added, kept, baseline = halo_patch(text, style, colour, halo)
@@ -180,9 +186,29 @@ def label_size(text: str, style: Style) -> Tuple[int, int]:
     return text_width(text, style) + 2, ascent(style) + 7
 
 
-def _fixed(points: Sequence[Point]) -> NDArray[np.int32]:
-    array = np.asarray(points, dtype=np.float64)
-    return np.rint(np.clip(array, -9999.0, 9999.0) * _SCALE).astype(np.int32).reshape(-1, 1, 2)
+def slimmed(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Leave out points of a line that nobody would miss.
+
+    Args:
+        points: (points, 2) [pixels].
+
+    Returns:
+        The points that remain, in order; the line moves by less than a third of a pixel.
+    """
+    if len(points) < 8:
+        return points
+    fewer = opencv().approxPolyDP(points.astype(np.float32).reshape(-1, 1, 2), 0.3, False)
+    return np.asarray(fewer, dtype=np.float64).reshape(-1, 2)
+
+
+def _fixed(points: Points) -> NDArray[np.int32]:
+    array: NDArray[np.float64] = np.array(points, dtype=np.float64)
+    # Far outside the picture, fixed point would overflow.
+    np.maximum(array, -9999.0, out=array)
+    np.minimum(array, 9999.0, out=array)
+    array *= _SCALE
+    fixed: NDArray[np.int32] = np.rint(array, out=array).astype(np.int32)
+    return fixed
 
 
 def _overlap(

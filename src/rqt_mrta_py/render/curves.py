@@ -8,39 +8,42 @@ from typing import List, Sequence, Tuple
 import numpy as np
 
 from rqt_mrta_py.hooks import Curve, CurveGroup, CurvePanel, MonitorView
-from rqt_mrta_py.render.canvas import Box, Canvas, Point
-from rqt_mrta_py.render.layout import CURVES, PLAIN, SMALL, TITLE, inside, panel
-from rqt_mrta_py.render.palette import FAINT, GRID, INK, MUTED, WHITE, TaskColours, mix
-from rqt_mrta_py.render.text import Style, fit, text_width
+from rqt_mrta_py.render.canvas import Box, Canvas, Points, slimmed
+from rqt_mrta_py.render.layout import CURVES, PLAIN, SMALL, TITLE, inside
+from rqt_mrta_py.render.page import Page
+from rqt_mrta_py.render.palette import FAINT, GRID, INK, MUTED, RED, WHITE
+from rqt_mrta_py.render.text import Style, shorten, text_width
 from rqt_mrta_py.render.times import Axis, TimeAxis, number
 
-__all__ = ["cells", "draw_curves"]
+__all__ = ["cells", "curve_titles", "curves_boxes", "draw_curves"]
 
 _MOST_PANELS = 2
 _MOST_GROUPS = 12
 _SHORTEST = 10.0
+_GAP = 10.0
 _NAME = Style(12, bold=True)
-_REFERENCE = (190, 26, 38)
+_THICK_FROM = 60.0
 
 
-def draw_curves(canvas: Canvas, view: MonitorView, colours: TaskColours) -> None:
-    """Draw the panels side by side, each a grid of small charts.
+def curve_titles(panels: Sequence[CurvePanel]) -> Tuple[str, ...]:
+    """Give the titles of the panels that are shown, with the unit of their values.
 
     Args:
-        canvas: drawn upon.
-        view: the mission.
-        colours: of its curves.
+        panels: of a view.
+
+    Returns:
+        One title or two.
     """
-    shown = view.panels[:_MOST_PANELS]
-    if not shown:
-        panel(canvas, CURVES, "Curves")
-        box = inside(CURVES)
-        canvas.text(box.left, box.top + 14, "this architecture tells no curves", PLAIN, MUTED, WHITE)
-    gap = 10.0
-    width = (CURVES.width - gap * (len(shown) - 1)) / max(len(shown), 1)
-    for index, curves in enumerate(shown):
-        left = round(CURVES.left + index * (width + gap))
-        _draw_panel(canvas, Box(left, CURVES.top, left + int(width), CURVES.bottom), view, curves, colours)
+    if not panels:
+        return ("Curves",)
+    return tuple(p.title if p.unit in ("", "1") else f"{p.title} [{p.unit}]" for p in panels[:_MOST_PANELS])
+
+
+def curves_boxes(count: int) -> Tuple[Box, ...]:
+    """Give the places of so many panels, side by side."""
+    width = (CURVES.width - _GAP * (count - 1)) / count
+    lefts = [round(CURVES.left + index * (width + _GAP)) for index in range(count)]
+    return tuple(Box(left, CURVES.top, left + int(width), CURVES.bottom) for left in lefts)
 
 
 def cells(box: Box, count: int) -> Tuple[int, int]:
@@ -61,79 +64,94 @@ def cells(box: Box, count: int) -> Tuple[int, int]:
     return columns, math.ceil(count / columns)
 
 
-def _draw_panel(canvas: Canvas, box: Box, view: MonitorView, curves: CurvePanel, colours: TaskColours) -> None:
-    unit = "" if curves.unit in ("", "1") else f" [{curves.unit}]"
-    title = fit(curves.title + unit, TITLE, 0.5 * box.width)
-    panel(canvas, box, title)
-    _draw_legend(canvas, box, 24.0 + text_width(title, TITLE), curves, colours)
+def draw_curves(page: Page) -> None:
+    """Draw the panels side by side, each a grid of small charts.
+
+    Args:
+        page: drawn upon; frames and titles are there.
+    """
+    if not page.view.panels:
+        box = inside(CURVES)
+        page.canvas.text(box.left, box.top + 14, "this architecture tells no curves", PLAIN, MUTED, WHITE)
+        return
+    titles = curve_titles(page.view.panels)
+    for box, title, curves in zip(curves_boxes(len(titles)), titles, page.view.panels):
+        _draw_legend(page, box.inset(24.0 + text_width(title, TITLE), 0, 12, 0), curves)
+        _draw_panel(page, box, curves)
+
+
+def _draw_panel(page: Page, box: Box, curves: CurvePanel) -> None:
+    canvas = page.canvas
+    room = inside(box).inset(24, 0, 0, 16)
     groups = curves.groups[:_MOST_GROUPS]
-    room = inside(box).inset(26, 0, 0, 16)
     if not groups:
         canvas.text(box.left + 12, room.top + 14, "nothing heard yet", PLAIN, MUTED, WHITE)
         return
-    columns, rows = cells(room, len(groups))
-    axis = _window(view, curves)
-    width, height = room.width / columns, room.height / rows
+    columns, lines = cells(room, len(groups))
+    axis = _window(page.view, curves)
+    width, height = room.width / columns, room.height / lines
     for index, group in enumerate(groups):
-        column, row = index % columns, index // columns
-        left, top = room.left + column * width, room.top + row * height
+        column, line = index % columns, index // columns
+        left, top = room.left + column * width, room.top + line * height
         cell = Box(round(left) + 2, round(top) + 17, round(left + width) - 6, round(top + height) - 4)
-        lowest = index + columns >= len(groups)
-        _draw_group(canvas, cell, group, curves, axis, colours, (column == 0, lowest))
+        _draw_axes(canvas, cell, curves, axis, first=column == 0, last=index + columns >= len(groups))
+        canvas.text(cell.left, cell.top - 9, shorten(group.label, _NAME, cell.width), _NAME, INK, WHITE)
+        _draw_group(page, cell, group, curves, axis)
+    canvas.text(box.left + 10, room.bottom + 8, f"t [{axis.unit}]", SMALL, MUTED, WHITE)
     if len(curves.groups) > len(groups):
         words = f"+{len(curves.groups) - len(groups)} more"
-        canvas.text(room.right, box.bottom - 12, words, SMALL, MUTED, WHITE, anchor=1.0)
+        canvas.text(room.right, box.top + 37, words, SMALL, MUTED, WHITE, anchor=1.0)
 
 
-def _draw_legend(canvas: Canvas, box: Box, offset: float, curves: CurvePanel, colours: TaskColours) -> None:
+def _draw_legend(page: Page, box: Box, curves: CurvePanel) -> None:
+    canvas = page.canvas
     labels = list(dict.fromkeys(curve.label for group in curves.groups for curve in group.curves))
-    y, x = box.top + 15.0, box.right - 12.0
-    least = box.left + offset
-    entries = [(label, False) for label in labels]
+    y, x = box.top + 15.0, box.right
     if curves.reference is not None:
-        entries.append((f"reference {number(curves.reference)}", True))
-    for done, (label, dashed) in enumerate(reversed(entries)):
-        words = fit(label, SMALL, 130.0)
-        if x - text_width(words, SMALL) - 24.0 < least:
-            canvas.text(x, y, f"+{len(entries) - done}", SMALL, MUTED, WHITE, anchor=1.0)
+        words = f"threshold {number(curves.reference)}" if curves.title == "Motivation" else number(curves.reference)
+        x -= canvas.text(x, y, words, SMALL, INK, WHITE, anchor=1.0) + 4.0
+        canvas.dashes(x - 17.0, x, y, RED, 3)
+        x -= 30.0
+    width = min(max((x - box.left) / max(len(labels), 1) - 32.0, 76.0), 140.0)
+    for left, label in enumerate(reversed(labels)):
+        words = shorten(label, SMALL, width)
+        needed = text_width(words, SMALL) + 21.0 + (0.0 if left == len(labels) - 1 else 30.0)
+        if x - needed < box.left:
+            canvas.text(x, y, f"+{len(labels) - left}", SMALL, MUTED, WHITE, anchor=1.0)
             return
         x -= canvas.text(x, y, words, SMALL, INK, WHITE, anchor=1.0) + 4.0
-        if dashed:
-            canvas.dashes((x - 17.0, y), (x, y), _REFERENCE, 1, 3.0)
-        else:
-            canvas.line([(x - 17.0, y), (x, y)], colours[label], 2)
-        x -= 28.0
+        canvas.fill(Box(x - 17.0, y - 1, x, y + 2), page.colours[label])
+        x -= 29.0
 
 
-def _draw_group(
-    canvas: Canvas,
-    box: Box,
-    group: CurveGroup,
-    curves: CurvePanel,
-    axis: TimeAxis,
-    colours: TaskColours,
-    labelled: Tuple[bool, bool],
-) -> None:
-    canvas.text(box.left, box.top - 9, fit(group.label, _NAME, box.width), _NAME, INK, WHITE)
+def _draw_axes(canvas: Canvas, box: Box, curves: CurvePanel, axis: TimeAxis, *, first: bool, last: bool) -> None:
+    """Draw ground, grid and labels; values on the first of a line only, times on the last of a column only."""
     canvas.fill(box, FAINT)
-    across = TimeAxis(axis.low, axis.high, box.left, box.right - 1.0, axis.zero)
-    up = Axis(0.0, curves.top, box.bottom - 1.0, box.top)
-    for time, label in across.ticks(max(2, min(int(box.width / 48.0), 7))):
-        column = round(across(time))
-        canvas.fill(Box(column, box.top, column + 1, box.bottom), GRID)
-        if labelled[1]:
-            canvas.text(column, box.bottom + 10, f"{label} {axis.unit}", SMALL, MUTED, WHITE, anchor=0.5)
-    for value in (0.0, curves.top):
-        if labelled[0]:
-            canvas.text(box.left - 5, up(value), number(value), SMALL, MUTED, WHITE, anchor=1.0)
+    across = _across(axis, box)
+    for time, label in across.ticks(max(2, min(int(box.width / 40.0), 7))):
+        column = across(time)
+        canvas.fill(Box(round(column), box.top, round(column) + 1, box.bottom), GRID)
+        if last:
+            # A label at the end of one chart must not run into one at the beginning of the next.
+            half = text_width(label, SMALL) / 2.0
+            middle = min(max(column, box.left + half), box.right - half)
+            canvas.text(middle, box.bottom + 10, label, SMALL, MUTED, WHITE, anchor=0.5)
     canvas.frame(box, GRID)
-    if curves.reference is not None:
-        y = up(curves.reference)
-        canvas.dashes((box.left, y), (box.right, y), _REFERENCE, 1, 4.0)
-    inner = canvas.part(box)
+    up = Axis(0.0, curves.top, box.bottom - 1.0, box.top)
+    if first:
+        for value in (0.0, curves.top):
+            canvas.text(box.left - 5, up(value), number(value), SMALL, MUTED, WHITE, anchor=1.0)
+
+
+def _draw_group(page: Page, box: Box, group: CurveGroup, curves: CurvePanel, axis: TimeAxis) -> None:
+    across = _across(axis, Box(0, 0, box.width, box.height))
+    up = Axis(0.0, curves.top, box.height - 1.0, 0.0)
+    inner = page.canvas.part(box)
+    width = 2 if box.height >= _THICK_FROM else 1
     for curve in group.curves:
-        strokes = _strokes(curve, across, up, box)
-        inner.strokes(strokes, mix(colours[curve.label], INK, 0.05), 2)
+        inner.strokes(_strokes(curve, across, up), page.colours[curve.label], width)
+    if curves.reference is not None:
+        inner.dashes(0.0, box.width, up(curves.reference), RED)
 
 
 def _window(view: MonitorView, curves: CurvePanel) -> TimeAxis:
@@ -143,21 +161,16 @@ def _window(view: MonitorView, curves: CurvePanel) -> TimeAxis:
     return TimeAxis(min(start, view.now - _SHORTEST), view.now, 0.0, 1.0, zero)
 
 
-def _strokes(curve: Curve, across: TimeAxis, up: Axis, box: Box) -> List[Sequence[Point]]:
-    """Turn a curve into strokes in the box's own pixels, two points a column at most, cut at NaN."""
-    if not curve.times:
-        return []
+def _across(axis: TimeAxis, box: Box) -> TimeAxis:
+    return TimeAxis(axis.low, axis.high, box.left, box.right - 1.0, axis.zero)
+
+
+def _strokes(curve: Curve, across: TimeAxis, up: Axis) -> List[Points]:
+    """Turn a curve into strokes, cut at NaN."""
     times = np.array(curve.times, dtype=np.float64)
     values = np.array(curve.values, dtype=np.float64)
-    x = (times - across.low) / (across.high - across.low) * (box.width - 1.0)
-    y = (box.height - 1.0) * (1.0 - np.clip(values / up.high, 0.0, 1.0))
-    points = np.stack((x, y), axis=1)
-    gaps = np.flatnonzero(np.isnan(values))
-    edges = [-1, *gaps.tolist(), len(values)]
-    strokes = []
-    for before, after in zip(edges, edges[1:]):
-        stroke = points[before + 1 : after]
-        step = max(len(stroke) // int(4.0 * box.width), 1)
-        if len(stroke):
-            strokes.append(stroke if step == 1 else np.concatenate((stroke[::step], stroke[-1:])))
-    return strokes
+    points = np.empty((len(times), 2))
+    points[:, 0] = across.first + (times - across.low) * ((across.last - across.first) / (across.high - across.low))
+    points[:, 1] = up.first + (values / up.high).clip(0.0, 1.0) * (up.last - up.first)
+    edges = [-1, *np.flatnonzero(np.isnan(values)).tolist(), len(values)]
+    return [slimmed(points[before + 1 : after]) for before, after in zip(edges, edges[1:]) if after > before + 1]

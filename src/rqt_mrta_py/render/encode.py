@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import TYPE_CHECKING, List
 
@@ -74,7 +73,7 @@ def write_picture(path: Path, image: NDArray[np.uint8]) -> None:
     aside = path.with_name(f".{path.name}.part")
     try:
         aside.write_bytes(data)
-        os.replace(aside, path)
+        aside.replace(path)
     except OSError as error:
         _discard(aside)
         raise RenderError(f"{path}: the picture cannot be written: {error.strerror or error}") from error

@@ -32,7 +32,7 @@ class ArenaMap:
     """
 
     def __init__(self, floor: Arena, box: Box) -> None:
-        room = box.inset(34, 4, 8, 32)
+        room = box.inset(40, 4, 6, 34)
         width, height = floor.max_x - floor.min_x, floor.max_y - floor.min_y
         self.scale = min(room.width / width, room.height / height)
         x, y = room.centre
@@ -92,7 +92,7 @@ def draw_floor(canvas: Canvas, place: ArenaMap, obstacles: Sequence[Obstacle]) -
         canvas.fill(Box(box.left, round(row), box.right, round(row) + 1), GRID)
         canvas.text(box.left - 8, row, number(y), SMALL, MUTED, WHITE, anchor=1.0)
     canvas.text(box.centre[0], box.bottom + 27, "x [m]", SMALL, MUTED, WHITE, anchor=0.5)
-    canvas.text(box.left - 8, box.top - 12, "y [m]", SMALL, MUTED, WHITE, anchor=1.0)
+    canvas.upright_text(box.left - 36, box.centre[1], "y [m]", SMALL, colour=MUTED, ground=WHITE)
     sub = canvas.part(box)
     for obstacle in obstacles:
         _draw_obstacle(sub, place, obstacle)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from rqt_mrta_py.hooks import MonitorView
-from rqt_mrta_py.render.canvas import Box, Canvas
+from rqt_mrta_py.render.canvas import Box
 from rqt_mrta_py.render.layout import HEADER
+from rqt_mrta_py.render.page import Page
 from rqt_mrta_py.render.palette import WHITE, Colour
 from rqt_mrta_py.render.signs import warning
 from rqt_mrta_py.render.text import Style, fit
-from rqt_mrta_py.render.times import elapsed, seconds
+from rqt_mrta_py.render.times import elapsed, seconds, whole_seconds
 
 __all__ = ["BAND", "draw_header"]
 
@@ -22,18 +22,18 @@ _WORDS = Style(15)
 _BAR = 4
 
 
-def draw_header(canvas: Canvas, view: MonitorView) -> None:
+def draw_header(page: Page) -> None:
     """Draw title, subtitle, incidents so far, mission time and how much of the mission has passed.
 
     Args:
-        canvas: drawn upon.
-        view: the mission.
+        page: drawn upon; the band is there.
     """
+    canvas, view = page.canvas, page.view
     middle = HEADER.centre[1] - _BAR / 2.0
     gone = elapsed(view, view.now)
     right = HEADER.right - 16.0
     if view.duration is not None:
-        right -= canvas.text(right, middle + 2, f"of {seconds(view.duration)}", _WORDS, _SOFT, BAND, anchor=1.0) + 6.0
+        right -= canvas.text(right, middle + 2, f"of {_planned(view.duration)}", _WORDS, _SOFT, BAND, anchor=1.0) + 6.0
         share = min(max(gone / view.duration, 0.0), 1.0) if view.duration > 0.0 else 1.0
         canvas.fill(Box(0, HEADER.bottom - _BAR, HEADER.right, HEADER.bottom), _TRACK)
         canvas.fill(Box(0, HEADER.bottom - _BAR, HEADER.right * share, HEADER.bottom), _PROGRESS)
@@ -48,3 +48,7 @@ def draw_header(canvas: Canvas, view: MonitorView) -> None:
     title = fit(view.title, _HEADLINE, 0.62 * (right - 16.0))
     left = 16.0 + canvas.text(16.0, middle, title, _HEADLINE, WHITE, BAND) + 14.0
     canvas.text(left, middle + 2, fit(view.subtitle, _WORDS, right - left), _WORDS, _SOFT, BAND)
+
+
+def _planned(duration: float) -> str:
+    return whole_seconds(duration) if duration == round(duration) else seconds(duration)

@@ -51,13 +51,13 @@ class LabelPlacer:
         self._things = tuple(things)
         self.placed: List[Box] = []
 
-    def place(self, anchor: Point, radius: float, width: float, height: float) -> Optional[Placement]:
+    def place(self, anchor: Point, radius: float, size: Tuple[float, float]) -> Optional[Placement]:
         """Find the best place for a label.
 
         Args:
             anchor: middle of the thing named.
             radius: of the thing named [pixels].
-            width, height: of the label [pixels].
+            size: width and height of the label [pixels].
 
         Returns:
             Its place, which is then taken; None if there is no room near its thing.
@@ -65,7 +65,7 @@ class LabelPlacer:
         best: Optional[Tuple[float, Placement]] = None
         for nearness, distance in enumerate(_DISTANCES):
             for preference, (dx, dy) in enumerate(_DIRECTIONS):
-                box = _box_beside(anchor, radius + distance, dx, dy, width, height)
+                box = _box_beside(anchor, radius + distance, (dx, dy), size)
                 if not self._bounds.holds(box) or any(box.meets(other) for other in self.placed):
                     continue
                 covered = sum(box.meets(thing) for thing in self._things)
@@ -80,7 +80,8 @@ class LabelPlacer:
         return best[1]
 
 
-def _box_beside(anchor: Point, distance: float, dx: float, dy: float, width: float, height: float) -> Box:
+def _box_beside(anchor: Point, distance: float, direction: Tuple[float, float], size: Tuple[float, float]) -> Box:
+    (dx, dy), (width, height) = direction, size
     reach = distance / math.hypot(dx, dy)
     x = anchor[0] + dx * reach + math.copysign(width / 2.0, dx) * (dx != 0.0)
     y = anchor[1] + dy * reach + math.copysign(height / 2.0, dy) * (dy != 0.0)

@@ -65,7 +65,8 @@ def rows(box: Box, count: int, tallest: float, lowest: float) -> Tuple[float, in
     Args:
         box: the column.
         count: how many rows there are.
-        tallest, lowest: limits of a row's height [pixels].
+        tallest: that a row may be [pixels].
+        lowest: that a row may be [pixels].
 
     Returns:
         The height of a row [pixels] and how many of the rows are shown; if not all are, one more row has room for

@@ -7,7 +7,7 @@ from typing import Any, Dict, List, Optional, Tuple
 
 from rqt_mrta_py.hooks import MonitorView, Outgoing, RobotSight
 from rqt_mrta_py.model import Allocation, Outcome, Pose, RobotState, Task
-from rqt_mrta_py.render.palette import STATE_COLOURS, Colour, TaskColours
+from rqt_mrta_py.render.palette import INK, STATE_COLOURS, Colour, TaskColours
 
 __all__ = ["MARKERS_TOPIC", "team_markers"]
 
@@ -61,14 +61,10 @@ def _allocations(builder: _Builder, view: MonitorView, colours: TaskColours, lif
             continue
         if allocation.outcome is Outcome.OPEN:
             lines[allocation.robot, number] = (pose, place, colours[allocation.task])
-        elif _just_ended(allocation, view.now, lifetime):
+        elif allocation.end >= view.now - lifetime:
             lines.setdefault((allocation.robot, number), None)
     for (robot, number), line in sorted(lines.items(), key=lambda item: item[0]):
         builder.allocation(robot, number, line)
-
-
-def _just_ended(allocation: Allocation, now: float, lifetime: float) -> bool:
-    return allocation.end >= now - lifetime
 
 
 class _Builder:
@@ -81,57 +77,50 @@ class _Builder:
 
     def robot(self, number: int, robot: RobotSight, pose: Pose, colour: Colour) -> None:
         across = 2.0 * robot.radius
-        body = {"x": across, "y": across, "z": _BODY_HEIGHT}
-        self._add("robots", number, _CYLINDER, _at(pose, _BODY_HEIGHT / 2.0), body, colour)
-        arrow = {"x": 1.8 * robot.radius, "y": 0.05, "z": 0.05}
-        self._add("headings", number, _ARROW, _at(pose, _BODY_HEIGHT, turned=True), arrow, _DARK)
-        self._text("robot_names", number, robot.id, pose, _BODY_HEIGHT + _TEXT_HEIGHT)
+        body = self._marker("robots", number, _CYLINDER, _at(pose, _BODY_HEIGHT / 2.0))
+        body.update(scale={"x": across, "y": across, "z": _BODY_HEIGHT}, color=_rgba(colour))
+        heading = self._marker("headings", number, _ARROW, _at(pose, _BODY_HEIGHT, turned=True))
+        heading.update(scale={"x": 1.8 * robot.radius, "y": 0.05, "z": 0.05}, color=_rgba(INK))
+        self._name("robot_names", number, robot.id, _at(pose, _BODY_HEIGHT + _TEXT_HEIGHT))
 
     def task(self, number: int, task: Task, place: Pose, colour: Colour) -> None:
-        self._add("tasks", number, _CUBE, _at(place, 0.02, turned=True), {"x": 0.3, "y": 0.3, "z": 0.04}, colour)
-        self._text("task_names", number, task.id, place, 2.0 * _TEXT_HEIGHT)
+        plate = self._marker("tasks", number, _CUBE, _at(place, 0.02, turned=True))
+        plate.update(scale={"x": 0.3, "y": 0.3, "z": 0.04}, color=_rgba(colour))
+        self._name("task_names", number, task.id, _at(place, 2.0 * _TEXT_HEIGHT))
 
     def allocation(self, robot: str, number: int, line: Optional[Tuple[Pose, Pose, Colour]]) -> None:
-        namespace = f"allocations/{robot}"
+        marker = self._marker(f"allocations/{robot}", number, _LINE_STRIP, _at(Pose(0.0, 0.0), 0.0))
         if line is None:
-            marker = self._marker(namespace, number, _LINE_STRIP)
             marker["action"] = _DELETE
             return
         start, end, colour = line
-        points = [{"x": start.x, "y": start.y, "z": _BODY_HEIGHT}, {"x": end.x, "y": end.y, "z": 0.05}]
-        marker = self._add(
-            namespace, number, _LINE_STRIP, _at(Pose(0.0, 0.0), 0.0), {"x": 0.04, "y": 0.0, "z": 0.0}, colour
+        marker.update(
+            scale={"x": 0.04, "y": 0.0, "z": 0.0},
+            color=_rgba(colour),
+            points=[{"x": start.x, "y": start.y, "z": _BODY_HEIGHT}, {"x": end.x, "y": end.y, "z": 0.05}],
         )
-        marker["points"] = points
 
-    def _text(self, namespace: str, number: int, text: str, place: Pose, height: float) -> None:
-        scale = {"x": 0.0, "y": 0.0, "z": _TEXT_HEIGHT}
-        marker = self._add(namespace, number, _TEXT_VIEW_FACING, _at(place, height), scale, _DARK)
-        marker["text"] = text
+    def _name(self, namespace: str, number: int, text: str, pose: Dict[str, Any]) -> None:
+        marker = self._marker(namespace, number, _TEXT_VIEW_FACING, pose)
+        marker.update(scale={"x": 0.0, "y": 0.0, "z": _TEXT_HEIGHT}, color=_rgba(INK), text=text)
 
-    def _add(
-        self, namespace: str, number: int, type_: int, pose: Dict[str, Any], scale: Dict[str, float], colour: Colour
-    ) -> Dict[str, Any]:
-        marker = self._marker(namespace, number, type_)
-        red, green, blue = (part / 255.0 for part in colour)
-        marker.update(pose=pose, scale=scale, color={"r": red, "g": green, "b": blue, "a": 1.0})
-        return marker
-
-    def _marker(self, namespace: str, number: int, type_: int) -> Dict[str, Any]:
+    def _marker(self, namespace: str, number: int, type_: int, pose: Dict[str, Any]) -> Dict[str, Any]:
         marker: Dict[str, Any] = {
             "header": {"stamp": self._stamp, "frame_id": "map"},
             "ns": namespace,
             "id": number,
             "type": type_,
             "action": _ADD,
-            "pose": _at(Pose(0.0, 0.0), 0.0),
+            "pose": pose,
             "lifetime": self._lifetime,
         }
         self.markers.append(marker)
         return marker
 
 
-_DARK: Colour = (34, 40, 49)
+def _rgba(colour: Colour) -> Dict[str, float]:
+    red, green, blue = (part / 255.0 for part in colour)
+    return {"r": red, "g": green, "b": blue, "a": 1.0}
 
 
 def _at(pose: Pose, height: float, turned: bool = False) -> Dict[str, Any]:

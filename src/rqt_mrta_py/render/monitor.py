@@ -11,15 +11,16 @@ from rqt_mrta_py.hooks import MonitorView
 from rqt_mrta_py.model import Arena, Obstacle
 from rqt_mrta_py.render.arena import draw_arena
 from rqt_mrta_py.render.canvas import Box, Canvas
-from rqt_mrta_py.render.curves import draw_curves
+from rqt_mrta_py.render.curves import curve_titles, curves_boxes, draw_curves
 from rqt_mrta_py.render.events import draw_events
 from rqt_mrta_py.render.floor import ArenaMap, draw_floor, extent
 from rqt_mrta_py.render.header import BAND, draw_header
 from rqt_mrta_py.render.layout import ARENA, HEADER, HEIGHT, SIDE, TEAM, TIMELINE, WIDTH, inside, panel
-from rqt_mrta_py.render.palette import PAGE, TaskColours
+from rqt_mrta_py.render.page import Page
+from rqt_mrta_py.render.palette import PAGE
 from rqt_mrta_py.render.tasks import draw_tasks, tasks_height
 from rqt_mrta_py.render.team import draw_team
-from rqt_mrta_py.render.timeline import draw_timeline
+from rqt_mrta_py.render.timeline import draw_outcome_legend, draw_timeline
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -43,31 +44,36 @@ def draw_monitor(view: MonitorView) -> NDArray[np.uint8]:
         MissingDependencyError: OpenCV, Pillow or the font is not installed.
     """
     floor = extent(view.scene)
-    canvas = Canvas(_ground(floor, view.scene.obstacles).copy())
-    colours = TaskColours.of(view)
-    draw_header(canvas, view)
-    draw_arena(canvas, ArenaMap(floor, inside(ARENA)), view, colours)
-    draw_team(canvas, view, colours)
-    height = tasks_height(len(view.record.tasks), SIDE.height - _LEAST_EVENTS - _GAP)
-    tasks = Box(SIDE.left, SIDE.top, SIDE.right, round(SIDE.top + height))
-    events = Box(SIDE.left, tasks.bottom + _GAP, SIDE.right, SIDE.bottom)
-    panel(canvas, tasks, "Tasks")
-    draw_tasks(canvas, tasks, view, colours)
-    panel(canvas, events, "Events, newest first")
-    draw_events(canvas, events, view)
-    draw_timeline(canvas, view, colours)
-    draw_curves(canvas, view, colours)
-    return canvas.image
+    ground = _ground(floor, view.scene.obstacles, len(view.record.tasks), curve_titles(view.panels))
+    page = Page.of(Canvas(ground.copy()), view)
+    tasks, events = _side(len(view.record.tasks))
+    draw_header(page)
+    draw_arena(page, ArenaMap(floor, inside(ARENA)))
+    draw_team(page)
+    draw_tasks(page, tasks)
+    draw_events(page, events)
+    draw_timeline(page)
+    draw_curves(page)
+    return page.canvas.image
+
+
+def _side(tasks: int) -> Tuple[Box, Box]:
+    """Share the right side among tasks and events."""
+    height = tasks_height(tasks, SIDE.height - _LEAST_EVENTS - _GAP)
+    upper = Box(SIDE.left, SIDE.top, SIDE.right, round(SIDE.top + height))
+    return upper, Box(SIDE.left, upper.bottom + _GAP, SIDE.right, SIDE.bottom)
 
 
 @lru_cache(maxsize=2)
-def _ground(floor: Arena, obstacles: Tuple[Obstacle, ...]) -> NDArray[np.uint8]:
+def _ground(floor: Arena, obstacles: Tuple[Obstacle, ...], tasks: int, curves: Tuple[str, ...]) -> NDArray[np.uint8]:
     """Draw once what is the same in all pictures of a mission; a function of its arguments alone."""
     canvas = Canvas(np.empty((HEIGHT, WIDTH, 3), dtype=np.uint8))
     canvas.fill(Box(0, 0, WIDTH, HEIGHT), PAGE)
     canvas.fill(HEADER, BAND)
-    panel(canvas, ARENA, "Arena")
+    panels = [(ARENA, "Arena"), (TEAM, "Team"), (TIMELINE, "Allocations"), *zip(curves_boxes(len(curves)), curves)]
+    panels += zip(_side(tasks), ("Tasks", "Events, newest first"))
+    for box, title in panels:
+        panel(canvas, box, title)
     draw_floor(canvas, ArenaMap(floor, inside(ARENA)), obstacles)
-    panel(canvas, TEAM, "Team")
-    panel(canvas, TIMELINE, "Allocations")
+    draw_outcome_legend(canvas)
     return canvas.image

@@ -19,6 +19,7 @@ __all__ = [
     "INK",
     "MUTED",
     "PAGE",
+    "RED",
     "SEVERITY_COLOURS",
     "STATE_COLOURS",
     "TASK_COLOURS",
@@ -38,6 +39,7 @@ WHITE: Colour = (255, 255, 255)
 FRAME: Colour = (205, 211, 218)
 GRID: Colour = (231, 234, 238)
 FAINT: Colour = (243, 245, 247)
+RED: Colour = (190, 26, 38)
 INK: Colour = (31, 36, 44)
 MUTED: Colour = (92, 101, 112)
 ACCENT: Colour = (38, 70, 110)
@@ -50,7 +52,6 @@ _VERMILLION: Colour = (213, 94, 0)
 _ORANGE: Colour = (230, 159, 0)
 _SKY: Colour = (86, 180, 233)
 _PURPLE: Colour = (204, 121, 167)
-_RED: Colour = (190, 26, 38)
 
 STATE_COLOURS: Mapping[RobotState, Colour] = {
     RobotState.IDLE: _GREEN,
@@ -63,14 +64,14 @@ TASK_STATE_COLOURS: Mapping[TaskState, Colour] = {
     TaskState.ALLOCATED: (250, 244, 178),
     TaskState.EXECUTING: _YELLOW,
     TaskState.DONE: _GREEN,
-    TaskState.FAILED: _RED,
+    TaskState.FAILED: RED,
     TaskState.WITHDRAWN: (203, 207, 213),
 }
 
 SEVERITY_COLOURS: Mapping[Severity, Colour] = {
     Severity.INFO: (120, 130, 142),
     Severity.WARNING: _ORANGE,
-    Severity.ERROR: _RED,
+    Severity.ERROR: RED,
 }
 
 # The palette's colours that no light has, then four that stay apart from them by lightness.

@@ -40,7 +40,8 @@ class PathKeeper:
 
         Args:
             time: on the stream's clock [s].
-            x, y: in the frame ``map`` [m].
+            x: in the frame ``map`` [m].
+            y: in the frame ``map`` [m].
         """
         if self._newest and time < self._newest[0][0]:
             self._recent.clear()

@@ -20,7 +20,7 @@ from rqt_mrta_py.render.palette import Colour
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Style", "ascent", "fit", "halo_patch", "mask", "patch", "text_width", "wrap"]
+__all__ = ["Style", "ascent", "fit", "halo_patch", "mask", "patch", "shorten", "text_width", "wrap"]
 
 _HALO = 2
 
@@ -62,6 +62,20 @@ def fit(text: str, style: Style, width: float) -> str:
         The text, or its beginning with an ellipsis, or nothing if not even that fits.
     """
     return _fit(text, style, int(width))
+
+
+def shorten(name: str, style: Style, width: float) -> str:
+    """Shorten a name to a width; beginning and end stay, for it is often the end that tells names apart.
+
+    Args:
+        name: one line.
+        style: its look.
+        width: that it may take [pixels].
+
+    Returns:
+        The name, or its two ends around an ellipsis, or nothing if not even that fits.
+    """
+    return _shorten(name, style, int(width))
 
 
 def wrap(text: str, style: Style, width: float, lines: int) -> Tuple[str, ...]:
@@ -170,6 +184,25 @@ def _fit(text: str, style: Style, width: int) -> str:
     return text[:low].rstrip() + "…" if low else ""
 
 
+@lru_cache(maxsize=4096)
+def _shorten(name: str, style: Style, width: int) -> str:
+    if _width(name, style) <= width:
+        return name
+    low, high = 0, len(name) - 1
+    while low < high:
+        middle = (low + high + 1) // 2
+        if _width(_ends(name, middle), style) <= width:
+            low = middle
+        else:
+            high = middle - 1
+    return _ends(name, low) if low else ""
+
+
+def _ends(name: str, kept: int) -> str:
+    tail = kept // 2
+    return f"{name[: kept - tail]}…{name[len(name) - tail :]}"
+
+
 @lru_cache(maxsize=1024)
 def _wrap(text: str, style: Style, width: int, lines: int) -> Tuple[str, ...]:
     done: List[str] = []
@@ -208,5 +241,6 @@ def _font_path(name: str) -> str:
         if (folder / name).is_file():
             return str(folder / name)
     raise MissingDependencyError(
-        f"writing on pictures: no font {name} in {', '.join(map(str, folders))}; install matplotlib or fonts-dejavu-core"
+        f"writing on pictures: no font {name} in {', '.join(map(str, folders))}; "
+        "install matplotlib or fonts-dejavu-core"
     )

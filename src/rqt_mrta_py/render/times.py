@@ -8,7 +8,7 @@ from typing import Tuple
 
 from rqt_mrta_py.hooks import MonitorView
 
-__all__ = ["Axis", "TimeAxis", "elapsed", "mission_span", "number", "seconds", "ticks"]
+__all__ = ["Axis", "TimeAxis", "elapsed", "mission_span", "number", "seconds", "ticks", "whole_seconds"]
 
 _TIME_STEPS = (0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 20, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14400, 43200, 86400)
 _SHORTEST_SPAN = 10.0
@@ -95,6 +95,11 @@ def seconds(duration: float) -> str:
         return f"{duration + 0.0:.1f} s"
     whole = round(abs(duration))
     return f"{'-' if duration < 0 else ''}{whole // 3600}:{whole // 60 % 60:02d}:{whole % 60:02d} h"
+
+
+def whole_seconds(duration: float) -> str:
+    """Write a time like ``seconds`` without tenths, rounded down."""
+    return f"{math.floor(duration + 1e-6)} s" if 0.0 <= duration < 899.95 else seconds(duration)
 
 
 def number(value: float) -> str:
