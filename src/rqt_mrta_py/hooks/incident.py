@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable, NamedTuple, Optional, Protocol, Sequence, Tuple, Union
+from typing import Callable, NamedTuple, Optional, Protocol, Sequence, Union
 
 from rqt_mrta_py.hooks.stream import Heard, Subscription
 from rqt_mrta_py.model import Evidence, Mission, Outcome, RobotState, Severity, TaskState
@@ -103,6 +103,7 @@ class IncidentBoard(Protocol):
         severity: Severity,
         start: float,
         text: str,
+        *,
         robots: Sequence[str] = (),
         tasks: Sequence[str] = (),
         evidence: Sequence[Evidence] = (),
@@ -114,7 +115,8 @@ class IncidentBoard(Protocol):
             severity: how much it matters.
             start: when it began [s]; may lie before now.
             text: one sentence that a tired engineer understands.
-            robots, tasks: ids involved.
+            robots: ids involved.
+            tasks: ids involved.
             evidence: messages that show it.
         """
         ...

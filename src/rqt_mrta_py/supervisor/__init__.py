@@ -1,0 +1,18 @@
+"""Watches the stream: what robots, tasks and allocations become, what goes wrong, and what that sums up to.
+
+* ``supervisor``: hears the stream, drives the rest, gives records and messages
+* ``team``: derives facts; ``robots``, ``tasks``, ``allocations`` keep one thing each, ``timeline`` their histories
+* ``agenda``: what falls due when
+* ``sources``, ``presence``: how messages tell robots and tasks
+* ``desk``, ``rules``: incidents
+* ``journal``, ``news``, ``summary``: the same for readers, for other nodes, for programs
+* ``statistics``: numbers of a finished mission
+* ``plugin``: registers rules and statistics
+"""
+
+from __future__ import annotations
+
+from rqt_mrta_py.supervisor.summary import event_lines, incident_lines, summary
+from rqt_mrta_py.supervisor.supervisor import Supervisor
+
+__all__ = ["Supervisor", "event_lines", "incident_lines", "summary"]

@@ -1,0 +1,118 @@
+"""Which robot holds which task, and how each holding ended."""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import dataclass
+from typing import Dict, List, Optional, Tuple
+
+from rqt_mrta_py.model import Allocation, Evidence, Outcome
+
+__all__ = ["AllocationBook", "Hold"]
+
+_Pair = Tuple[str, str]
+
+
+@dataclass
+class Hold:
+    """One robot on one task, not ended yet.
+
+    Attributes:
+        robot, task: ids.
+        start: when it began [s].
+        order: its place among all allocations.
+        until: when it expires unless renewed [s].
+        last: the newest message that named this robot with this task.
+        expired: when it expired [s], if it did: it is then over, but nobody knows yet how it ended.
+        heard: whether the robot was heard since it expired.
+    """
+
+    robot: str
+    task: str
+    start: float
+    order: int
+    until: float
+    last: Evidence
+    expired: Optional[float] = None
+    heard: bool = False
+
+
+class AllocationBook:
+    """All allocations, open and ended.
+
+    An ended allocation that had no length is struck out.
+    """
+
+    def __init__(self) -> None:
+        self._count = 0
+        self._of_robot: Dict[str, Dict[str, Hold]] = {}
+        self._of_task: Dict[str, Dict[str, Hold]] = {}
+        self._ended: Dict[int, Allocation] = {}
+        self._signed: Dict[_Pair, float] = {}
+
+    def find(self, robot: str, task: str) -> Optional[Hold]:
+        """Give the open allocation of a robot and a task; None if there is none."""
+        return self._of_robot.get(robot, {}).get(task)
+
+    def of_robot(self, robot: str) -> List[Hold]:
+        """List a robot's open allocations, oldest first."""
+        return list(self._of_robot.get(robot, {}).values())
+
+    def of_task(self, task: str) -> List[Hold]:
+        """List a task's open allocations, oldest first."""
+        return list(self._of_task.get(task, {}).values())
+
+    def open(self, robot: str, task: str, start: float, until: float, message: Evidence) -> Hold:
+        """Begin an allocation; there must be none open of this robot and task."""
+        hold = Hold(robot, task, start, self._count, until, message)
+        self._count += 1
+        self._of_robot.setdefault(robot, {})[task] = hold
+        self._of_task.setdefault(task, {})[robot] = hold
+        return hold
+
+    def end(self, hold: Hold, time: float, outcome: Outcome, signed: Optional[float] = None) -> None:
+        """End an allocation.
+
+        Args:
+            hold: one that is open.
+            time: when it ended [s].
+            outcome: how.
+            signed: header stamp of the message that ended it, or when that was received [s]; None if none did.
+        """
+        del self._of_robot[hold.robot][hold.task]
+        del self._of_task[hold.task][hold.robot]
+        if time > hold.start:
+            self._ended[hold.order] = Allocation(hold.task, hold.robot, hold.start, time, outcome)
+        if signed is not None:
+            self._signed[hold.robot, hold.task] = signed
+
+    def is_late(self, robot: str, task: str, stamp: float) -> bool:
+        """Tell whether a message is no newer than the sign that ended the last allocation of a robot and a task.
+
+        Args:
+            robot: its id.
+            task: its id.
+            stamp: the message's header stamp [s]; 0 if it has none, it then never counts as late.
+        """
+        return 0.0 < stamp <= self._signed.get((robot, task), 0.0)
+
+    def records(self, end: float) -> Tuple[Allocation, ...]:
+        """List all allocations by start, then by the order in which they began; open ones end at a time [s]."""
+        entries = dict(self._ended)
+        for holds in self._of_robot.values():
+            for hold in holds.values():
+                entries[hold.order] = Allocation(hold.task, hold.robot, hold.start, end, Outcome.OPEN)
+        return tuple(entries[order] for order in sorted(entries))
+
+    def fork(self) -> AllocationBook:
+        """Copy the book, so that the copy can go on by itself."""
+        twin = AllocationBook()
+        twin._count = self._count
+        twin._ended = dict(self._ended)
+        twin._signed = dict(self._signed)
+        holds = [hold for holds in self._of_robot.values() for hold in holds.values()]
+        for hold in sorted(holds, key=lambda each: each.order):
+            copied = copy.copy(hold)
+            twin._of_robot.setdefault(hold.robot, {})[hold.task] = copied
+            twin._of_task.setdefault(hold.task, {})[hold.robot] = copied
+        return twin

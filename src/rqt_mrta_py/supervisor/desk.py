@@ -1,0 +1,192 @@
+"""The incident desk: asks the rules, keeps what they put up."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from heapq import heappop, heappush
+from typing import Callable, Dict, List, Mapping, Optional, Sequence, Tuple
+
+from rqt_mrta_py.errors import HookError
+from rqt_mrta_py.hooks import Fact, Heard, IncidentRule
+from rqt_mrta_py.model import Evidence, Incident, Severity
+
+__all__ = ["Desk"]
+
+
+@dataclass
+class _Entry:
+    """One incident, open while ``end`` is None."""
+
+    rule: str
+    severity: Severity
+    start: float
+    text: str
+    robots: Tuple[str, ...]
+    tasks: Tuple[str, ...]
+    evidence: Dict[Evidence, None] = field(default_factory=dict)
+    end: Optional[float] = None
+
+    def add(self, evidence: Sequence[Evidence]) -> None:
+        self.evidence.update(dict.fromkeys(evidence))
+
+    def incident(self, end: float) -> Incident:
+        return Incident(
+            rule=self.rule,
+            severity=self.severity,
+            start=self.start,
+            end=max(end if self.end is None else self.end, self.start),
+            robots=self.robots,
+            tasks=self.tasks,
+            text=self.text,
+            evidence=tuple(sorted(self.evidence, key=lambda each: (each.stamp, each.topic, each.index))),
+        )
+
+
+class _Board:
+    """One rule's board."""
+
+    def __init__(self, desk: Desk, rule: str) -> None:
+        self._desk = desk
+        self._rule = rule
+        self._open: Dict[str, _Entry] = {}
+
+    def open(
+        self,
+        key: str,
+        severity: Severity,
+        start: float,
+        text: str,
+        *,
+        robots: Sequence[str] = (),
+        tasks: Sequence[str] = (),
+        evidence: Sequence[Evidence] = (),
+    ) -> None:
+        if key in self._open:
+            return
+        entry = _Entry(self._rule, severity, start, text, tuple(sorted(set(robots))), tuple(sorted(set(tasks))))
+        entry.add(evidence)
+        self._open[key] = entry
+        self._desk.put_up(entry)
+
+    def amend(self, key: str, text: str, evidence: Sequence[Evidence] = ()) -> None:
+        entry = self._open.get(key)
+        if entry is not None:
+            entry.text = text
+            entry.add(evidence)
+
+    def close(self, key: str, end: float, text: Optional[str] = None, evidence: Sequence[Evidence] = ()) -> None:
+        entry = self._open.pop(key, None)
+        if entry is not None:
+            entry.text = entry.text if text is None else text
+            entry.end = end
+            entry.add(evidence)
+            self._desk.take_down(entry)
+
+    def wake_at(self, time: float) -> None:
+        self._desk.wake_at(self._rule, time)
+
+
+class Desk:
+    """Tells every rule what it wants to know and collects the incidents.
+
+    Args:
+        rules: by name; asked in the order of their names.
+        opened: takes an incident that a rule has put up, as it stands then.
+        closed: takes an incident that has ended.
+    """
+
+    def __init__(
+        self,
+        rules: Mapping[str, IncidentRule],
+        opened: Callable[[Incident], None],
+        closed: Callable[[Incident], None],
+    ) -> None:
+        self._rules: Dict[str, Tuple[IncidentRule, _Board]] = {
+            name: (rules[name], _Board(self, name)) for name in sorted(rules)
+        }
+        self._opened = opened
+        self._closed = closed
+        self._entries: List[_Entry] = []
+        self._wakes: List[Tuple[float, str]] = []
+        self._waking: Optional[float] = None
+        self.next_wake = math.inf
+
+    def begin(self, time: float) -> None:
+        """Tell every rule that the stream has begun [s]."""
+        for name in self._rules:
+            self._wake(name, time)
+
+    def hear(self, name: str, heard: Heard) -> None:
+        """Give one rule a message that it subscribed to."""
+        rule, board = self._rules[name]
+        try:
+            rule.hear(heard, board)
+        except Exception as error:
+            raise HookError(f"incident rule {name}: {_said(error)}, hearing {heard.topic}") from error
+
+    def notice(self, fact: Fact) -> None:
+        """Give every rule a fact."""
+        for name, (rule, board) in self._rules.items():
+            try:
+                rule.notice(fact, board)
+            except Exception as error:
+                raise HookError(f"incident rule {name}: {_said(error)}, noticing {fact}") from error
+
+    def wake_next(self) -> None:
+        """Wake the rule whose turn comes first."""
+        time, name = heappop(self._wakes)
+        self._plan()
+        self._wake(name, time)
+
+    def finish(self, time: float) -> None:
+        """Tell every rule that the stream has ended [s]."""
+        for name, (rule, board) in self._rules.items():
+            try:
+                rule.finish(time, board)
+            except Exception as error:
+                raise HookError(f"incident rule {name}: {_said(error)}, finishing") from error
+
+    def incidents(self, end: float) -> Tuple[Incident, ...]:
+        """List all incidents by start, then rule; those that last end at a time [s]."""
+        return tuple(
+            entry.incident(end) for entry in sorted(self._entries, key=lambda entry: (entry.start, entry.rule))
+        )
+
+    def put_up(self, entry: _Entry) -> None:
+        """Take an incident that a board has opened."""
+        self._entries.append(entry)
+        self._opened(entry.incident(entry.start))
+
+    def take_down(self, entry: _Entry) -> None:
+        """Take an incident that a board has closed."""
+        self._closed(entry.incident(entry.start))
+
+    def wake_at(self, name: str, time: float) -> None:
+        """Plan to wake a rule.
+
+        Raises:
+            ValueError: the rule asks, while it is woken, for a time that is not later.
+        """
+        if self._waking is not None and time <= self._waking:
+            raise ValueError(f"wake_at({time}) within wake({self._waking}); ask for a later time")
+        if (time, name) not in self._wakes:
+            heappush(self._wakes, (time, name))
+            self._plan()
+
+    def _plan(self) -> None:
+        self.next_wake = self._wakes[0][0] if self._wakes else math.inf
+
+    def _wake(self, name: str, time: float) -> None:
+        rule, board = self._rules[name]
+        self._waking = time
+        try:
+            rule.wake(time, board)
+        except Exception as error:
+            raise HookError(f"incident rule {name}: {_said(error)}, woken at {time}") from error
+        finally:
+            self._waking = None
+
+
+def _said(error: Exception) -> str:
+    return f"{type(error).__name__}: {error}"
