@@ -42,7 +42,7 @@ def noetic_definition(type_name: str) -> Optional[str]:
     stored = f"{package}/msg/{message}"
     store = _noetic_store()
     # ROS 1 has no package builtin_interfaces: there, time and duration are primitives.
-    if package == "builtin_interfaces" or stored not in store.fielddefs:
+    if package == "builtin_interfaces" or stored not in store.types:
         return None
     text: str = store.generate_msgdef(stored)[0]
     return text
