@@ -16,6 +16,10 @@ from rqt_mrta_py.sim.bullet.engine import Engine
 __all__ = ["WheeledRobot"]
 
 _WHEEL_MASS_SHARE = 0.3 / 5.6
+_WHEEL_INERTIA_SHARE = 0.36
+"""A wheel's moment of inertia about its axle, over the robot's mass and the wheel's radius squared: motor and gear turn
+with it. With the bare wheel's the solver would not converge: robots told to stand still crept by 6 mm/s, and turning
+on the spot one wheel was 4 % slow, the other 9 % fast."""
 _MOTOR_TORQUE = 1.0
 _GROUND_CLEARANCE = 0.01
 """From the top of the wheels' radius to the underside of the body [m]."""
@@ -128,8 +132,12 @@ def _build(engine: Engine, robot: PlacedRobot) -> int:
         physicsClientId=client,
     )
     bullet.changeDynamics(body, _BASE, lateralFriction=0.0, physicsClientId=client)
+    across = 0.4 * wheel_mass * model.wheel_radius**2
+    along = _WHEEL_INERTIA_SHARE * model.mass * model.wheel_radius**2
     for link in (_LEFT, _RIGHT):
-        bullet.changeDynamics(body, link, lateralFriction=1.0, physicsClientId=client)
+        bullet.changeDynamics(
+            body, link, lateralFriction=1.0, localInertiaDiagonal=(across, along, across), physicsClientId=client
+        )
     return body
 
 
