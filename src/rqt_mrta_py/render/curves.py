@@ -23,6 +23,7 @@ _SHORTEST = 10.0
 _GAP = 10.0
 _NAME = Style(12, bold=True)
 _THICK_FROM = 60.0
+_KEY, _BETWEEN_KEYS, _LEAST_KEY = 17.0, 13.0, 76.0
 
 
 def curve_titles(panels: Sequence[CurvePanel]) -> Tuple[str, ...]:
@@ -104,24 +105,26 @@ def _draw_panel(page: Page, box: Box, curves: CurvePanel) -> None:
 
 
 def _draw_legend(page: Page, box: Box, curves: CurvePanel) -> None:
+    """Name the colours from right to left; names are shortened, and then left out, where room is short."""
     canvas = page.canvas
     labels = list(dict.fromkeys(curve.label for group in curves.groups for curve in group.curves))
     y, x = box.top + 15.0, box.right
     if curves.reference is not None:
-        words = f"threshold {number(curves.reference)}" if curves.title == "Motivation" else number(curves.reference)
-        x -= canvas.text(x, y, words, SMALL, INK, WHITE, anchor=1.0) + 4.0
-        canvas.dashes(x - 17.0, x, y, RED, 3)
-        x -= 30.0
-    width = min(max((x - box.left) / max(len(labels), 1) - 32.0, 76.0), 140.0)
-    for left, label in enumerate(reversed(labels)):
-        words = shorten(label, SMALL, width)
-        needed = text_width(words, SMALL) + 21.0 + (0.0 if left == len(labels) - 1 else 30.0)
-        if x - needed < box.left:
-            canvas.text(x, y, f"+{len(labels) - left}", SMALL, MUTED, WHITE, anchor=1.0)
+        x -= canvas.text(x, y, f"reference {number(curves.reference)}", SMALL, INK, WHITE, anchor=1.0) + 4.0
+        canvas.dashes(x - _KEY, x, y, RED, 3)
+        x -= _KEY + _BETWEEN_KEYS
+    widest = (x - box.left + _BETWEEN_KEYS) / max(len(labels), 1) - _KEY - 4.0 - _BETWEEN_KEYS
+    if sum(text_width(label, SMALL) - widest for label in labels) <= 0.0:
+        widest = box.width
+    for done, label in enumerate(reversed(labels)):
+        words = shorten(label, SMALL, max(widest, _LEAST_KEY))
+        room_for_rest = 0.0 if done == len(labels) - 1 else 30.0
+        if x - text_width(words, SMALL) - _KEY - 4.0 - room_for_rest < box.left:
+            canvas.text(x, y, f"+{len(labels) - done}", SMALL, MUTED, WHITE, anchor=1.0)
             return
         x -= canvas.text(x, y, words, SMALL, INK, WHITE, anchor=1.0) + 4.0
-        canvas.fill(Box(x - 17.0, y - 1, x, y + 2), page.colours[label])
-        x -= 29.0
+        canvas.fill(Box(x - _KEY, y - 1, x, y + 2), page.colours[label])
+        x -= _KEY + _BETWEEN_KEYS
 
 
 def _draw_axes(canvas: Canvas, box: Box, curves: CurvePanel, axis: TimeAxis, *, first: bool, last: bool) -> None:

@@ -6,7 +6,7 @@ import math
 from typing import Any, Dict, List, Optional, Tuple
 
 from rqt_mrta_py.hooks import MonitorView, Outgoing, RobotSight
-from rqt_mrta_py.model import Allocation, Outcome, Pose, RobotState, Task
+from rqt_mrta_py.model import Outcome, Pose, RobotState, Task
 from rqt_mrta_py.render.palette import INK, STATE_COLOURS, Colour, TaskColours
 
 __all__ = ["MARKERS_TOPIC", "team_markers"]

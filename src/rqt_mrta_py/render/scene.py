@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Dict, Mapping, Optional, Sequence, Tuple
+from typing import Any, Dict, Mapping, Optional, Sequence
 
-from rqt_mrta_py.hooks import Heard, RobotSight, SceneView, Subscription
+from rqt_mrta_py.hooks import Heard, RobotModel, RobotSight, SceneView, Subscription
 from rqt_mrta_py.model import Mission, Pose, normalise_id
 from rqt_mrta_py.render.path import PathKeeper
 
@@ -33,11 +33,11 @@ class SceneTracker:
 
     Args:
         mission: whose scenario, if any, tells arena, obstacles and the robots' models.
-        radii: radius of a robot [m] by the name of its model.
+        models: kinds of robots by name, for their size.
         trail: how far back trails reach [s].
     """
 
-    def __init__(self, mission: Mission, radii: Mapping[str, float], trail: float = 60.0) -> None:
+    def __init__(self, mission: Mission, models: Mapping[str, RobotModel], trail: float = 60.0) -> None:
         scenario = mission.scenario
         self._arena = scenario.arena if scenario else None
         self._obstacles = scenario.obstacles if scenario else ()
@@ -69,24 +69,22 @@ class SceneTracker:
         self._poses[robot] = pose
         path.add(heard.receipt, pose.x, pose.y)
 
-    def view(self, now: float) -> SceneView:
-        """Give the scene with the trails of the last seconds, for a monitor picture.
+    def view(self, now: float, whole: bool = False) -> SceneView:
+        """Give the scene at a moment.
 
         Args:
-            now: the moment shown, not before the newest message heard [s].
+            now: the moment, not before the newest message heard [s].
+            whole: give whole paths, thinned, rather than the trails of the last seconds.
         """
-        return self._view({robot: path.recent(now) for robot, path in self._paths.items()})
-
-    def whole_view(self) -> SceneView:
-        """Give the scene with the robots' whole paths, thinned, for a picture of the whole mission."""
-        return self._view({robot: path.whole() for robot, path in self._paths.items()})
-
-    def _view(self, trails: Mapping[str, Tuple[Tuple[float, float, float], ...]]) -> SceneView:
         robots = tuple(
-            RobotSight(robot, pose, self._radius.get(robot, DEFAULT_RADIUS), trails[robot])
-            for robot, pose in self._poses.items()
+            RobotSight(robot, self._poses[robot], self._radius(robot), path.whole() if whole else path.recent(now))
+            for robot, path in self._paths.items()
         )
         return SceneView(self._arena, self._obstacles, robots, self._tasks)
+
+    def _radius(self, robot: str) -> float:
+        model = self._models.get(self._model_of.get(robot, ""))
+        return DEFAULT_RADIUS if model is None else model.radius
 
 
 def _pose(fields: Mapping[str, Any]) -> Optional[Pose]:
