@@ -11,7 +11,7 @@ import numpy as np
 from basic_behaviours.driving import Driver, open_direction
 from basic_behaviours.settings import SettingsReader, require_between, require_choice
 from basic_behaviours.sight import SCAN, Sight, SightReader
-from basic_behaviours.wall import Wall, wall_beside
+from basic_behaviours.wall import Wall, length_at, nearest_long_wall, wall_beside
 from rqt_mrta_py.hooks import BehaviourSetup, BehaviourStep, Command, Perception, Subscription
 from rqt_mrta_py.model import Pose, Task, Twist, wrap_angle
 
@@ -24,6 +24,7 @@ _LOST_BEYOND = 0.7
 _WRAP_AROUND = 4.0
 _ISLAND_TURN = 1.75 * math.pi
 _NEW_SEARCH = 30.0
+_LONG = 2.0
 
 
 @dataclass(frozen=True)
@@ -49,9 +50,10 @@ class FollowBorderSettings:
 class FollowBorder:
     """Looks for a wall, then keeps it on one side; what stands at the wall is gone around as part of it.
 
-    A thing that stands free is told from the border by the turning: once around the border turns the robot away
-    from the wall by a full circle, once around a free-standing thing turns it towards that thing. After most of a
-    circle of the latter kind it leaves and looks for another wall.
+    While it looks, it passes by what is shorter than 2 m, unless nothing longer is found for half a minute. A longer
+    thing that stands free is told from the border by the turning: once around the border turns the robot away from
+    the wall by a full circle, once around a free-standing thing turns it towards that thing. After most of a circle
+    of the latter kind it leaves and looks for another wall.
 
     Never done. Costs the distance to the nearest thing seen.
 
@@ -67,6 +69,7 @@ class FollowBorder:
         self._sights = SightReader()
         self._search: Optional[float] = None
         self._search_until = 0.0
+        self._least_length = _LONG
         self._following = False
         self._lost_since: Optional[float] = None
         self._last_yaw = 0.0
@@ -123,18 +126,26 @@ class FollowBorder:
 
     def _look_for_wall(self, now: float, pose: Pose, sight: Sight, settings: FollowBorderSettings) -> None:
         if self._search is None:
-            nearest = float(sight.bearings[int(np.argmin(sight.ranges))])
-            self._search = wrap_angle(pose.yaw + nearest)
-            self._search_until = now + _NEW_SEARCH
+            wall = nearest_long_wall(sight, _LONG)
+            if wall is None:
+                self._set_out(now, pose, sight)
+            else:
+                self._search = wrap_angle(pose.yaw + wall.bearing)
+                self._search_until = now + _NEW_SEARCH
+            self._least_length = _LONG
         elif now > self._search_until:
             self._set_out(now, pose, sight)
-        in_front = np.abs(sight.bearings) < math.pi / 4.0
-        aligned = abs(wrap_angle(self._search - pose.yaw)) < math.pi / 4.0
-        if aligned and in_front.any() and float(sight.ranges[in_front].min()) < settings.distance + 0.3:
+            self._least_length = 0.0
+        if self._is_wall_in_front(sight, settings.distance + 0.3):
             self._following = True
             self._lost_since = None
             self._last_yaw = pose.yaw
             self._turned = self._least_turned = 0.0
+
+    def _is_wall_in_front(self, sight: Sight, within: float) -> bool:
+        in_front = np.where(np.abs(sight.bearings) < math.pi / 4.0, sight.ranges, math.inf)
+        nearest = int(np.argmin(in_front))
+        return bool(in_front[nearest] < within) and length_at(sight, nearest) >= self._least_length
 
     def _set_out(self, now: float, pose: Pose, sight: Sight) -> None:
         direction = open_direction(sight, 2.0, self._model.radius + 0.1, self._random)

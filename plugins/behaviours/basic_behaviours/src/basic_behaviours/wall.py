@@ -7,16 +7,18 @@ from typing import NamedTuple, Optional
 
 import numpy as np
 
-from basic_behaviours.sight import Sight
+from basic_behaviours.sight import FAR, Sight
 from rqt_mrta_py.model import wrap_angle
 
-__all__ = ["Wall", "wall_beside"]
+__all__ = ["Wall", "length_at", "nearest_long_wall", "wall_at", "wall_beside"]
 
 _AHEAD = math.radians(30.0)
 _BEHIND = math.radians(130.0)
 _HALF_WINDOW = math.radians(36.0)
 _SAME_WALL = 1.6
 _LARGEST_BEND = math.radians(30.0)
+_OFF_LINE = 0.06
+_OFF_LINE_PER_METRE = 0.03
 
 
 class Wall(NamedTuple):
@@ -34,10 +36,6 @@ class Wall(NamedTuple):
 def wall_beside(sight: Sight, side: int, within: float) -> Optional[Wall]:
     """Find the nearest wall on one side, from a little ahead to behind.
 
-    A straight line whose nearest point is d away at bearing b is seen at bearing p at range r with
-    cos(p - b) / d = 1 / r, which is linear in cos(p) and sin(p): least squares over the rays about the nearest one
-    give d and b. Where that disagrees with the nearest ray (a corner, a round thing), the nearest ray is taken.
-
     Args:
         sight: what is seen.
         side: 1 for the left, -1 for the right.
@@ -49,9 +47,21 @@ def wall_beside(sight: Sight, side: int, within: float) -> Optional[Wall]:
     turned = side * sight.bearings
     beside = np.where((turned >= -_AHEAD) & (turned <= _BEHIND), sight.ranges, math.inf)
     nearest = int(np.argmin(beside))
-    distance, bearing = float(beside[nearest]), float(sight.bearings[nearest])
-    if distance > within:
-        return None
+    return wall_at(sight, nearest) if beside[nearest] <= within else None
+
+
+def wall_at(sight: Sight, ray: int) -> Wall:
+    """Fit a wall to what the rays about one ray have met.
+
+    A straight line whose nearest point is d away at bearing b is seen at bearing p at range r with
+    cos(p - b) / d = 1 / r, which is linear in cos(p) and sin(p): least squares give d and b. Where that disagrees with
+    the ray itself (a corner, a round thing), the ray is taken.
+
+    Args:
+        sight: what is seen.
+        ray: index of the ray.
+    """
+    distance, bearing = float(sight.ranges[ray]), float(sight.bearings[ray])
     apart = np.abs(np.remainder(sight.bearings - bearing + np.pi, 2.0 * np.pi) - np.pi)
     chosen = (apart <= _HALF_WINDOW) & (sight.ranges < _SAME_WALL * distance)
     inverse = 1.0 / np.maximum(sight.ranges[chosen], 0.01)
@@ -65,3 +75,46 @@ def wall_beside(sight: Sight, side: int, within: float) -> Optional[Wall]:
         if abs(wrap_angle(fitted - bearing)) < _LARGEST_BEND:
             return Wall(1.0 / math.hypot(a, b), fitted)
     return Wall(distance, bearing)
+
+
+def length_at(sight: Sight, ray: int) -> float:
+    """Measure how much of the wall that a ray has met is seen.
+
+    Args:
+        sight: what is seen.
+        ray: index of the ray.
+
+    Returns:
+        How far apart the outermost points are to which neighbouring rays lead along the fitted line without a gap of
+        more than one ray [m].
+    """
+    wall = wall_at(sight, ray)
+    between = sight.bearings - wall.bearing
+    off_line = np.abs(sight.ranges * np.cos(between) - wall.distance)
+    on_line = (off_line < _OFF_LINE + _OFF_LINE_PER_METRE * sight.ranges).tolist()
+    along = (sight.ranges * np.sin(between)).tolist()
+    count = len(on_line)
+    low = high = along[ray]
+    for step in (1, -1):
+        missed = 0
+        for index in range(ray + step, ray + step * count, step):
+            if not (0 <= index < count or sight.all_around):
+                break
+            if on_line[index % count]:
+                missed = 0
+                low, high = min(low, along[index % count]), max(high, along[index % count])
+            else:
+                missed += 1
+                if missed > 1:
+                    break
+    return float(high - low)
+
+
+def nearest_long_wall(sight: Sight, least: float) -> Optional[Wall]:
+    """Find the nearest wall of at least a length [m]; None if none is seen to be so long."""
+    for ray in np.argsort(sight.ranges, kind="stable").tolist():
+        if sight.ranges[ray] >= FAR:
+            return None
+        if length_at(sight, ray) >= least:
+            return wall_at(sight, ray)
+    return None
