@@ -42,9 +42,8 @@ class SceneTracker:
         self._arena = scenario.arena if scenario else None
         self._obstacles = scenario.obstacles if scenario else ()
         self._tasks = mission.tasks
-        self._radius = (
-            {robot.id: radii.get(robot.model, DEFAULT_RADIUS) for robot in scenario.robots} if scenario else {}
-        )
+        self._models = models
+        self._model_of = {robot.id: robot.model for robot in scenario.robots} if scenario else {}
         self._trail = trail
         self._poses: Dict[str, Optional[Pose]] = {robot.id: None for robot in mission.application.robots}
         self._paths: Dict[str, PathKeeper] = {robot: PathKeeper(trail) for robot in self._poses}
