@@ -3,15 +3,28 @@
 * ``definitions``, ``types``: what message types look like, from their texts
 * ``wire``, ``reading``, ``writing``, ``faults``, ``codec``: fields into bytes and back
 * ``patterns``, ``dispatch``: hearing a stream
-* ``bus``: the embedded bus of simulated runs
+* ``bus``, ``node``: the embedded bus of simulated runs
 * ``bag_writer``, ``bag_reader``: bags
 * ``rosbags_door``: the only place that imports rosbags
 """
 
 from __future__ import annotations
 
-from rqt_mrta_py.transport.bus import Bus, Node
+from rqt_mrta_py.transport.bag_reader import BagInfo, read_bag, read_bag_info
+from rqt_mrta_py.transport.bag_writer import BagWriter, Compression
+from rqt_mrta_py.transport.bus import Bus
 from rqt_mrta_py.transport.codec import RosCodec
 from rqt_mrta_py.transport.dispatch import Dispatcher
+from rqt_mrta_py.transport.node import Node
 
-__all__ = ["Bus", "Dispatcher", "Node", "RosCodec"]
+__all__ = [
+    "BagInfo",
+    "BagWriter",
+    "Bus",
+    "Compression",
+    "Dispatcher",
+    "Node",
+    "RosCodec",
+    "read_bag",
+    "read_bag_info",
+]

@@ -7,68 +7,17 @@ same order. A message published while nodes are being served is heard in the nex
 
 from __future__ import annotations
 
-import heapq
-import logging
-from collections import abc, deque
-from typing import Any, Callable, Deque, Dict, List, Mapping, NamedTuple, Optional, Set, Tuple
+from collections import abc
+from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Codec, Connection, FieldReader, Heard, Link, Outgoing, Stamped, Subscription
-from rqt_mrta_py.model import resolve_name
+from rqt_mrta_py.hooks import Codec, Connection, Link, Outgoing, Stamped
 from rqt_mrta_py.transport.definitions import parse_definition
-from rqt_mrta_py.transport.patterns import TopicPattern, resolve_topic
+from rqt_mrta_py.transport.node import Delivery, Ear, Hearing, Message, Node
 
-__all__ = ["Bus", "Node"]
+__all__ = ["Bus"]
 
-_LOG = logging.getLogger(__name__)
 _NOTHING: Mapping[str, Any] = {}
-
-
-class _Message:
-    """One message under way; its fields are read once for each set of paths, whoever hears them."""
-
-    __slots__ = ("_read", "connection", "number", "ordinal", "raw")
-
-    def __init__(self, connection: Connection, number: int, ordinal: int, raw: bytes) -> None:
-        self.connection = connection
-        self.number = number
-        self.ordinal = ordinal
-        self.raw = raw
-        self._read: Dict[Tuple[str, ...], Mapping[str, Any]] = {}
-
-    def fields(self, paths: Tuple[str, ...], reader: FieldReader) -> Mapping[str, Any]:
-        fields = self._read.get(paths)
-        if fields is None:
-            fields = self._read[paths] = dict(zip(paths, reader(self.raw)))
-        return fields
-
-
-class _Ear(NamedTuple):
-    """A subscription of a node."""
-
-    number: int
-    pattern: TopicPattern
-    subscription: Subscription
-    callback: Callable[[Heard], None]
-
-
-class _Hearing(NamedTuple):
-    """An ear that a connection suits, with what the tokens of its topic stand for."""
-
-    callback: Callable[[Heard], None]
-    robot: str
-    task: str
-    paths: Tuple[str, ...]
-    reader: Optional[FieldReader]
-
-
-class _Delivery(NamedTuple):
-    """A message on its way to a node; sorted by arrival and order of sending."""
-
-    arrival: float
-    order: int
-    message: _Message
-    hearings: Tuple[_Hearing, ...]
 
 
 class _Publisher:
@@ -81,8 +30,8 @@ class _Publisher:
         self.begins_with_header = parse_definition(connection.type, connection.definition).begins_with_header
         self.seq = 0
         self.epoch = -1
-        self.receivers: Tuple[Tuple[Node, Tuple[_Hearing, ...]], ...] = ()
-        self.last: Optional[_Message] = None
+        self.receivers: Tuple[Tuple[Node, Tuple[Hearing, ...]], ...] = ()
+        self.last: Optional[Message] = None
 
 
 class Bus:
@@ -171,7 +120,7 @@ class Bus:
             publisher.seq += 1
         if not (publisher.receivers or self._taps or outgoing.latched):
             return
-        message = _Message(publisher.connection, number, ordinal, self._encode(node, publisher, outgoing))
+        message = Message(publisher.connection, number, ordinal, self._encode(node, publisher, outgoing))
         if outgoing.latched:
             publisher.last = message
         if self._taps:
@@ -181,16 +130,16 @@ class Bus:
         for receiver, hearings in publisher.receivers:
             self._send(node.robot, receiver, message, hearings, now)
 
-    def _send(self, sender: str, receiver: Node, message: _Message, hearings: Tuple[_Hearing, ...], now: float) -> None:
+    def _send(self, sender: str, receiver: Node, message: Message, hearings: Tuple[Hearing, ...], now: float) -> None:
         for delay in self.link.deliveries(sender, receiver.robot, now):
             if not delay >= 0.0:
                 raise ValueError(
                     f"the link's delay from {sender!r} to {receiver.robot!r} is {delay} s; it must be 0 or more"
                 )
-            receiver.expect(_Delivery(now + delay, self._sent, message, hearings))
+            receiver.expect(Delivery(now + delay, self._sent, message, hearings))
             self._sent += 1
 
-    def welcome(self, node: Node, ear: _Ear) -> None:
+    def welcome(self, node: Node, ear: Ear) -> None:
         """Tell the publishers of a new ear; latched messages set out for it."""
         self._epoch += 1
         for (name, *_), publisher in self._publishers.items():
@@ -221,124 +170,3 @@ class Bus:
             return self.codec.encode(outgoing.type, fields)
         except TransportError as error:
             raise TransportError(f"{node.name} on {publisher.connection.topic}: {error}") from error
-
-
-class Node:
-    """A node of the embedded bus; made by ``Bus.node``.
-
-    Attributes:
-        name: resolved.
-        robot: id of the robot it runs on; empty if on none.
-    """
-
-    def __init__(self, bus: Bus, name: str, robot: str, remappings: Optional[Mapping[str, str]]) -> None:
-        self.name = name
-        self.robot = robot
-        self._bus = bus
-        self._remappings = dict(remappings or {})
-        self._ears: List[_Ear] = []
-        self._resolved: Dict[str, str] = {}
-        self._refused: Set[Tuple[int, str, str]] = set()
-        self._pending: List[_Delivery] = []
-        self._due: Deque[_Delivery] = deque()
-
-    def subscribe(self, subscription: Subscription, callback: Callable[[Heard], None]) -> None:
-        """Hear a topic from now on, and the latched messages it already has.
-
-        Args:
-            subscription: its topic is resolved in this node's namespace and remapped.
-            callback: is told of each message when it is delivered.
-
-        Raises:
-            TransportError: the topic is no name that ROS accepts.
-        """
-        pattern = TopicPattern(resolve_topic(subscription.topic, self.name, self._remappings))
-        ear = _Ear(len(self._ears), pattern, subscription, callback)
-        self._ears.append(ear)
-        self._bus.welcome(self, ear)
-
-    def publish(self, outgoing: Outgoing, now: float) -> None:
-        """Publish a message; it is encoded only if somebody wants it.
-
-        Args:
-            outgoing: its topic is resolved in this node's namespace and remapped.
-            now: the time [s].
-
-        Raises:
-            TransportError: the topic is no name that ROS accepts, or the message does not fit its type.
-        """
-        topic = self._resolved.get(outgoing.topic)
-        if topic is None:
-            try:
-                topic = resolve_name(outgoing.topic, self.name, self._remappings)
-            except ValueError as error:
-                raise TransportError(f"{self.name}: topic {outgoing.topic!r}: {error}") from error
-            self._resolved[outgoing.topic] = topic
-        self._bus.publish(self, topic, outgoing, now)
-
-    def deliver(self, now: float, horizon: Optional[int] = None) -> None:
-        """Hear everything that is due.
-
-        Args:
-            now: the time [s].
-            horizon: number of the first message that is too new for this round; None: all published before this call.
-        """
-        if horizon is None:
-            horizon = self._bus.published
-        late: List[_Delivery] = []
-        while self._pending and self._pending[0].arrival <= now:
-            delivery = heapq.heappop(self._pending)
-            (self._due if delivery.message.number < horizon else late).append(delivery)
-        for delivery in late:
-            heapq.heappush(self._pending, delivery)
-        while self._due:
-            self._hear(self._due.popleft())
-
-    def discard(self) -> None:
-        """Forget everything that is on its way to this node."""
-        self._pending.clear()
-        self._due.clear()
-
-    def expect(self, delivery: _Delivery) -> None:
-        """Take in a message that will be due at its arrival; the bus calls this."""
-        heapq.heappush(self._pending, delivery)
-
-    def hearings(self, connection: Connection, only: Optional[_Ear] = None) -> Tuple[_Hearing, ...]:
-        """Tell which subscriptions mean the messages of a connection, in their order; the bus asks this.
-
-        Args:
-            connection: of a publisher.
-            only: the one subscription that is asked about; None: all.
-        """
-        found: List[_Hearing] = []
-        for ear in self._ears if only is None else (only,):
-            tokens = ear.pattern.match(connection.topic)
-            if tokens is None:
-                continue
-            paths, wanted = ear.subscription.fields, ear.subscription.type
-            reader: Optional[FieldReader] = None
-            if wanted and wanted != connection.type:
-                self._refuse(ear, connection, f"it carries {connection.type}, subscribed to as {wanted}")
-                continue
-            if paths:
-                try:
-                    reader = self._bus.codec.compile(connection, paths)
-                except TransportError as error:
-                    self._refuse(ear, connection, str(error))
-                    continue
-            found.append(_Hearing(ear.callback, tokens[0], tokens[1], paths, reader))
-        return tuple(found)
-
-    def _refuse(self, ear: _Ear, connection: Connection, reason: str) -> None:
-        key = (ear.number, connection.topic, connection.type)
-        if key not in self._refused:
-            self._refused.add(key)
-            _LOG.warning("a subscription is not served node=%s topic=%s reason=%s", self.name, connection.topic, reason)
-
-    @staticmethod
-    def _hear(delivery: _Delivery) -> None:
-        arrival, _, message, hearings = delivery
-        connection, ordinal = message.connection, message.ordinal
-        for callback, robot, task, paths, reader in hearings:
-            fields = _NOTHING if reader is None else message.fields(paths, reader)
-            callback(Heard(connection.topic, connection.type, arrival, fields, robot, task, connection.caller, ordinal))

@@ -7,7 +7,7 @@ with them is then looked up by ``faults``, off the hot path.
 from __future__ import annotations
 
 import struct
-from typing import Any, Callable, Dict, List, Mapping, Optional, Set, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Set, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.transport.definitions import Definition, Field
@@ -54,6 +54,9 @@ def _bytes(value: Any) -> bytes:
     """Give an array of bytes as bytes."""
     if isinstance(value, (bytes, bytearray, memoryview)):
         return bytes(value)
+    if getattr(value, "dtype", None) == "uint8" and value.ndim == 1:
+        raw: bytes = value.tobytes()
+        return raw
     return bytes(_elements(value))
 
 
@@ -86,6 +89,7 @@ class _EncoderText:
         self._definition = definition
         self._space: Dict[str, Any] = {
             "NOTHING": _NOTHING,
+            "MISSING": object(),
             "Misfit": ValueError,
             "pack": struct.pack,
             "elements": _elements,
@@ -146,7 +150,7 @@ class _Walk:
         for item in fields:
             name = self._name()
             if item.is_array:
-                default = "()" if item.length is None else None
+                default = "()" if item.length is None else "MISSING"
                 self._get(name, source, item.name, default)
                 self._array(item, name)
             elif not item.is_primitive:
@@ -167,7 +171,7 @@ class _Walk:
         self._count += 1
         return f"v{self._count}"
 
-    def _get(self, name: str, source: str, field: str, default: Optional[str]) -> None:
+    def _get(self, name: str, source: str, field: str, default: str) -> None:
         self.lines.append(f"{name} = {source}.get('{field}', {default})")
 
     def _pack(self, code: str, value: str) -> None:
@@ -204,7 +208,7 @@ class _Walk:
         if item.length is not None:
             # The zero of an array of fixed length is made only when it is needed.
             zero = "NOTHING" if not item.is_primitive else "''" if item.type == "string" else "0"
-            self.lines.append(f"if {name} is None: {name} = ({zero},) * {item.length}")
+            self.lines.append(f"if {name} is MISSING: {name} = ({zero},) * {item.length}")
         count = self._name()
         if item.type in BYTE_TYPES:
             self.lines.append(f"{name} = as_bytes({name})")
