@@ -1,0 +1,132 @@
+"""A team of agents in lockstep: what is said in one cycle is heard in the next."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
+
+import numpy as np
+from mrta_alliance.agent import AllianceAgent
+from rqt_mrta_py.hooks import AgentSetup, Decision, Heard, Outgoing, SensoryEvaluatorFactory, Situation, TaskReport
+from rqt_mrta_py.model import Task
+
+SPIN_RATE = 5.0
+CYCLE = 1.0 / SPIN_RATE
+COMMUNICATION = "/alliance/inter_robot_communication"
+
+
+def time_of(cycle: int) -> float:
+    """Give the time of the n-th cycle, counted from 1 [s]."""
+    return 1.0 + (cycle - 1) * CYCLE
+
+
+def behaviour_set(task: str, fast_rate: float = 1.0, expected: float = 60.0, **motivational: Any) -> Dict[str, Any]:
+    """Give a behaviour set as in the recording of the original nodes: theta 30, psi 20, lambda 40."""
+    return {
+        "task_id": task,
+        "task_expected_duration": expected,
+        "motivational_behaviour": {
+            "threshold": 30.0,
+            "acquiescence": {"yielding_delay": 20.0, "giving_up_delay": 40.0},
+            "impatience": {"fast_rate": fast_rate},
+            **motivational,
+        },
+    }
+
+
+def nested(*sets: Mapping[str, Any], **rates: Any) -> Dict[str, Any]:
+    """Give a robot's parameters as in the recording: spin 5, broadcast 2, tau 2, horizon 10."""
+    given = {"spin_rate": SPIN_RATE, "broadcast_rate": 2.0, "timeout_duration": 2.0, "buffer_horizon": 10.0, **rates}
+    numbered = {f"behaviour_set{index}": each for index, each in enumerate(sets)}
+    return {**given, "behaviour_sets": {"size": len(sets), **numbered}}
+
+
+def agent(
+    robot: str,
+    parameters: Mapping[str, Any],
+    tasks: Sequence[str],
+    team: Sequence[str] = (),
+    evaluators: Optional[Mapping[str, SensoryEvaluatorFactory]] = None,
+) -> AllianceAgent:
+    """Make an agent."""
+    kinds = tuple(Task(task, "anything") for task in tasks)
+    random = np.random.default_rng(0)
+    return AllianceAgent(AgentSetup(robot, tuple(team or (robot,)), kinds, parameters, random, evaluators or {}))
+
+
+def announced(robot: str, task: str, receipt: float, expected: float = 60.0, stamp: Optional[float] = None) -> Heard:
+    """Give an announcement as another robot hears it."""
+    fields = {
+        "header/stamp": receipt if stamp is None else stamp,
+        "header/frame_id": f"/{robot}" if robot else "",
+        "task_id": task,
+        "expected_duration": expected,
+    }
+    return Heard(COMMUNICATION, "alliance_msgs/InterRobotCommunication", receipt, fields)
+
+
+def step(
+    who: AllianceAgent,
+    now: float,
+    heard: Sequence[Heard] = (),
+    reports: Sequence[TaskReport] = (),
+    impossible: Sequence[str] = (),
+    tasks: Sequence[str] = ("patrol", "inspect", "report"),
+) -> Decision:
+    """Let an agent go through one cycle."""
+    applicable = {task: task not in impossible for task in tasks}
+    return who.step(Situation(now, heard, reports, applicable, lambda task: None))
+
+
+def motivations(decision: Decision) -> Dict[str, Mapping[str, Any]]:
+    """Give the fields of the Motivation messages by task."""
+    return {
+        message.fields["task_id"]: message.fields
+        for message in decision.messages
+        if message.type == "alliance_msgs/Motivation"
+    }
+
+
+def announcements(decision: Decision) -> List[Outgoing]:
+    """Give the announcements; a decision has none or one."""
+    return [message for message in decision.messages if message.topic == COMMUNICATION]
+
+
+class Team:
+    """Agents by robot, stepped together; a robot that stopped neither hears nor speaks."""
+
+    def __init__(self, agents: Mapping[str, AllianceAgent], tasks: Sequence[str]) -> None:
+        self.agents = agents
+        self.tasks = tasks
+        self.cycle = 0
+        self.stopped: List[str] = []
+        self.decisions: Dict[str, Decision] = {}
+        self._on_air: List[Heard] = []
+
+    def step(self) -> Dict[str, Decision]:
+        """Go through one cycle with everybody."""
+        self.cycle += 1
+        now = time_of(self.cycle)
+        heard, self._on_air = self._on_air, []
+        self.decisions = {}
+        for robot, who in self.agents.items():
+            if robot in self.stopped:
+                continue
+            decision = step(who, now, heard, tasks=self.tasks)
+            self.decisions[robot] = decision
+            for message in announcements(decision):
+                fields = message.fields
+                self._on_air.append(announced(robot, fields["task_id"], now, fields["expected_duration"]))
+        return self.decisions
+
+    def step_to(self, cycle: int) -> Dict[str, Decision]:
+        """Go on up to and including a cycle."""
+        while self.cycle < cycle:
+            self.step()
+        return self.decisions
+
+    def holders(self) -> Dict[str, Tuple[str, ...]]:
+        """Give by task who is on it after the newest cycle."""
+        return {
+            task: tuple(robot for robot, decision in self.decisions.items() if decision.task == task)
+            for task in self.tasks
+        }
