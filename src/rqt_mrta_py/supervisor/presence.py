@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Dict, Mapping, Optional, Tuple
+from typing import Container, Dict, Mapping, Optional, Tuple
 
 from rqt_mrta_py.supervisor.robots import RobotWatch
 
@@ -14,10 +14,13 @@ class Presence:
 
     Args:
         robots: by normalised id; may grow.
+        naming: topics whose messages themselves name the robot that speaks. There the caller does not count: some
+            recorders write all publishers of a topic under the name of one.
     """
 
-    def __init__(self, robots: Mapping[str, RobotWatch]) -> None:
+    def __init__(self, robots: Mapping[str, RobotWatch], naming: Container[str] = ()) -> None:
         self._robots = robots
+        self._naming = naming
         self._known = 0
         self._owners: Dict[Tuple[str, str], Optional[RobotWatch]] = {}
 
@@ -29,14 +32,15 @@ class Presence:
             caller: resolved name of the node that published it; empty if unknown.
 
         Returns:
-            The robot in whose namespace the caller is, else the one in whose namespace the topic is, else None.
+            The robot in whose namespace the caller is, else the one in whose namespace the topic is, else None;
+            None too where the message itself names its robot.
         """
         if len(self._robots) != self._known:
             self._owners.clear()
             self._known = len(self._robots)
         key = (topic, caller)
         if key not in self._owners:
-            self._owners[key] = self._find(caller) or self._find(topic)
+            self._owners[key] = None if topic in self._naming else self._find(caller) or self._find(topic)
         return self._owners[key]
 
     def _find(self, name: str) -> Optional[RobotWatch]:

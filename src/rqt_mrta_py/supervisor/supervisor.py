@@ -81,7 +81,7 @@ class Supervisor:
         self._rules = {name: factory(RuleSetup(mission)) for name, factory in sorted(rules.items())}
         self._desk = Desk(self._rules, self._on_opened, self._on_closed)
         self._team = self._gather(0.0)
-        self._presence = Presence(self._team.robots)
+        self._presence = self._attend()
         self._start: Optional[float] = None
         self._message: Tuple[str, int] = ("", -1)
         self._time_of_fact = 0.0
@@ -183,10 +183,14 @@ class Supervisor:
         robots = tuple(robot.id for robot in self._mission.application.robots)
         return Team(TeamSetup(robots, self._mission.tasks, silence, hold or silence), self._on_fact, start)
 
+    def _attend(self) -> Presence:
+        naming = frozenset(source.topic.name for source in (*self._busy, *self._idle) if source.robot_path)
+        return Presence(self._team.robots, naming)
+
     def _begin(self, start: float) -> None:
         self._start = start
         self._team = self._gather(start)
-        self._presence = Presence(self._team.robots)
+        self._presence = self._attend()
         self._time_of_fact = start
         self._desk.begin(start)
 
@@ -229,7 +233,13 @@ class Supervisor:
 
     def _hears_robot(self, source: Source, state: RobotState) -> _Callback:
         timeout = source.timeout
-        tells_task = state is RobotState.BUSY and bool(source.task_path)
+        # A busy message that names the task allocates it, unless its topic is listed for that by itself.
+        allocates = {(each.topic.name, each.topic.type) for each in self._allocated}
+        tells_task = (
+            state is RobotState.BUSY
+            and bool(source.task_path)
+            and (source.topic.name, source.topic.type) not in allocates
+        )
 
         def hear(heard: Heard) -> None:
             self._enter(heard)
