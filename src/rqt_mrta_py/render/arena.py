@@ -10,7 +10,7 @@ import numpy as np
 
 from rqt_mrta_py.hooks import RobotSight
 from rqt_mrta_py.model import Allocation, Outcome, Pose, RobotState
-from rqt_mrta_py.render.canvas import Box, Canvas, Point, label_size, slimmed
+from rqt_mrta_py.render.canvas import Box, Canvas, Point, label_size
 from rqt_mrta_py.render.floor import ArenaMap
 from rqt_mrta_py.render.labels import LabelPlacer
 from rqt_mrta_py.render.page import Page
@@ -103,7 +103,7 @@ def _draw_trail(page: Page, canvas: Canvas, place: ArenaMap, robot: RobotSight) 
             until = min(end, oldest + (newest - oldest) * (third + 1) / 3.0)
             first, last = bisect_left(times, since), bisect_left(times, until)
             if since < until and last > first:
-                canvas.line(slimmed(points[max(first - 1, 0) : last + 1]), mix(colour, FAINT, faded), 2)
+                canvas.line(points[max(first - 1, 0) : last + 1], mix(colour, FAINT, faded), 2)
 
 
 def _spells(held: Sequence[Allocation], start: float, end: float) -> List[Tuple[float, float, Optional[str]]]:

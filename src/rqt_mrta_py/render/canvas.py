@@ -13,10 +13,13 @@ from rqt_mrta_py.render.text import Style, ascent, halo_patch, patch, text_width
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Box", "Canvas", "Point", "Points", "label_size", "slimmed"]
+__all__ = ["Box", "Canvas", "Point", "Points", "label_size"]
 
 _SHIFT = 4
 _SCALE = 1 << _SHIFT
+# From so many points on a line is slimmed, by less than a third of a pixel.
+_LONG = 8
+_SLACK = 0.3 * _SCALE
 
 Point = Tuple[float, float]
 """x to the right, y down [pixels]."""
@@ -106,8 +109,12 @@ class Canvas:
         self.strokes([points], colour, width, closed)
 
     def strokes(self, strokes: Sequence[Points], colour: Colour, width: int = 1, closed: bool = False) -> None:
-        """Draw several lines in one colour."""
+        """Draw several lines in one colour; long ones may leave out points that nobody would miss."""
         fixed = [_fixed(points) for points in strokes]
+        if not closed:
+            fixed = [
+                self._cv2.approxPolyDP(points, _SLACK, False) if len(points) >= _LONG else points for points in fixed
+            ]
         self._cv2.polylines(self.image, fixed, closed, colour[::-1], width, self._cv2.LINE_AA, _SHIFT)
 
     def dashes(self, left: float, right: float, y: float, colour: Colour, dash: int = 4) -> None:
@@ -184,21 +191,6 @@ class Canvas:
 def label_size(text: str, style: Style) -> Tuple[int, int]:
     """Give the size of a label's box with a little air: width and height [pixels]."""
     return text_width(text, style) + 2, ascent(style) + 7
-
-
-def slimmed(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Leave out points of a line that nobody would miss.
-
-    Args:
-        points: (points, 2) [pixels].
-
-    Returns:
-        The points that remain, in order; the line moves by less than a third of a pixel.
-    """
-    if len(points) < 8:
-        return points
-    fewer = opencv().approxPolyDP(points.astype(np.float32).reshape(-1, 1, 2), 0.3, False)
-    return np.asarray(fewer, dtype=np.float64).reshape(-1, 2)
 
 
 def _fixed(points: Points) -> NDArray[np.int32]:

@@ -8,7 +8,7 @@ from typing import List, Sequence, Tuple
 import numpy as np
 
 from rqt_mrta_py.hooks import Curve, CurveGroup, CurvePanel, MonitorView
-from rqt_mrta_py.render.canvas import Box, Canvas, Points, slimmed
+from rqt_mrta_py.render.canvas import Box, Canvas, Points
 from rqt_mrta_py.render.layout import CURVES, PLAIN, SMALL, TITLE, inside
 from rqt_mrta_py.render.page import Page
 from rqt_mrta_py.render.palette import FAINT, GRID, INK, MUTED, RED, WHITE
@@ -176,4 +176,4 @@ def _strokes(curve: Curve, across: TimeAxis, up: Axis) -> List[Points]:
     points[:, 0] = across.first + (times - across.low) * ((across.last - across.first) / (across.high - across.low))
     points[:, 1] = up.first + (values / up.high).clip(0.0, 1.0) * (up.last - up.first)
     edges = [-1, *np.flatnonzero(np.isnan(values)).tolist(), len(values)]
-    return [slimmed(points[before + 1 : after]) for before, after in zip(edges, edges[1:]) if after > before + 1]
+    return [points[before + 1 : after] for before, after in zip(edges, edges[1:]) if after > before + 1]

@@ -9,7 +9,7 @@ from rqt_mrta_py.render.canvas import Box, Point
 
 __all__ = ["LabelPlacer", "Placement"]
 
-# To the right of its thing, then left, above, below, then in the corners between.
+# Best first: to the right of its thing, then left, above, below, then in the corners between.
 _DIRECTIONS: Tuple[Tuple[float, float], ...] = (
     (1.0, 0.0),
     (-1.0, 0.0),
@@ -21,7 +21,6 @@ _DIRECTIONS: Tuple[Tuple[float, float], ...] = (
     (-0.8, 0.8),
 )
 _DISTANCES = (3.0, 12.0, 24.0, 40.0, 60.0, 85.0)
-_COVERING = 100.0
 
 
 class Placement(NamedTuple):
@@ -62,22 +61,23 @@ class LabelPlacer:
         Returns:
             Its place, which is then taken; None if there is no room near its thing.
         """
-        best: Optional[Tuple[float, Placement]] = None
-        for nearness, distance in enumerate(_DISTANCES):
-            for preference, (dx, dy) in enumerate(_DIRECTIONS):
-                box = _box_beside(anchor, radius + distance, (dx, dy), size)
+        covering: Optional[Tuple[int, Placement]] = None
+        for distance in _DISTANCES:
+            for direction in _DIRECTIONS:
+                box = _box_beside(anchor, radius + distance, direction, size)
                 if not self._bounds.holds(box) or any(box.meets(other) for other in self.placed):
                     continue
                 covered = sum(box.meets(thing) for thing in self._things)
-                score = preference + len(_DIRECTIONS) * nearness * 2.0 + _COVERING * covered
-                if best is None or score < best[0]:
-                    best = (score, Placement(box, nearness > 0))
-            if best is not None and best[0] < _COVERING:
-                break
-        if best is None:
+                placement = Placement(box, distance > _DISTANCES[0])
+                if not covered:
+                    self.placed.append(box)
+                    return placement
+                if covering is None or covered < covering[0]:
+                    covering = (covered, placement)
+        if covering is None:
             return None
-        self.placed.append(best[1].box)
-        return best[1]
+        self.placed.append(covering[1].box)
+        return covering[1]
 
 
 def _box_beside(anchor: Point, distance: float, direction: Tuple[float, float], size: Tuple[float, float]) -> Box:
