@@ -6,6 +6,7 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 from mrta_alliance.agent import AllianceAgent
+
 from rqt_mrta_py.hooks import AgentSetup, Decision, Heard, Outgoing, SensoryEvaluatorFactory, Situation, TaskReport
 from rqt_mrta_py.model import Task
 
@@ -68,6 +69,7 @@ def step(
     who: AllianceAgent,
     now: float,
     heard: Sequence[Heard] = (),
+    *,
     reports: Sequence[TaskReport] = (),
     impossible: Sequence[str] = (),
     tasks: Sequence[str] = ("patrol", "inspect", "report"),

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Dict
 
 import pytest
+
 from rqt_mrta_py.hooks import TaskReport
 from rqt_mrta_py.model import Progress
-
 from tests.plugins.mrta_alliance.team import (
     CYCLE,
     Team,

@@ -6,9 +6,9 @@ from typing import List, Tuple
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
+
 from rqt_mrta_py.hooks import Heard, TaskReport
 from rqt_mrta_py.model import Progress
-
 from tests.plugins.mrta_alliance.team import agent, announced, announcements, behaviour_set, motivations, nested, step
 
 TASKS = ("patrol", "inspect", "report")
@@ -46,7 +46,7 @@ def test_agent_keeps_its_bounds_whatever_happens(moments: list) -> None:
     now = 0.0
     for passed, spoken, reports, impossible in moments:
         now += passed
-        decision = step(one, now, messages(spoken, now), reports, impossible)
+        decision = step(one, now, messages(spoken, now), reports=reports, impossible=impossible)
         said = motivations(decision)
         active = [task for task, fields in said.items() if fields["active"]]
         assert active == ([decision.task] if decision.task else [])
@@ -68,7 +68,7 @@ def test_equal_stories_lead_to_equal_decisions(moments: list) -> None:
         now, decisions = 0.0, []
         for passed, spoken, reports, impossible in moments:
             now += passed
-            decisions.append(step(one, now, messages(spoken, now), reports, impossible))
+            decisions.append(step(one, now, messages(spoken, now), reports=reports, impossible=impossible))
         return decisions
 
     assert tell() == tell()

@@ -50,7 +50,7 @@ def test_received_is_false_before_the_first_message() -> None:
 
 
 def test_received_meets_instants_of_this_century_exactly() -> None:
-    """1510520000.2 + 2.0 and 1510520002.2 differ as floats by less than the tolerance: the window is still open there."""
+    """1510520000.2 + 2.0 and 1510520002.2 differ as floats, by less than the tolerance."""
     assert equations.received((1510520000.2,), 1510520002.2 - 2.0, 1510520002.2) is False
     assert equations.received((1510520000.2,), 1510520002.0 - 2.0, 1510520002.0) is True
 

@@ -25,7 +25,9 @@ spin_rate: 5.0
 broadcast_rate: 2
 timeout_duration: 2.0
 buffer_horizon: 10.0
-sensors: {size: 1, sensor0: {plugin_name: my_pkg/bool_sensor, topic_name: ok, timeout_duration: 5.0, buffer_horizon: 5.0}}
+sensors:
+  size: 1
+  sensor0: {plugin_name: my_pkg/bool_sensor, topic_name: ok, timeout_duration: 5.0, buffer_horizon: 5.0}
 behaviour_sets:
   size: 1
   behaviour_set0:

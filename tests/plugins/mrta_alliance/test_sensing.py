@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any, Dict, List, Sequence
 
 import pytest
+
 from rqt_mrta_py.hooks import Heard, SensorReading, Subscription
 from rqt_mrta_py.model import Task
-
 from tests.plugins.mrta_alliance.team import agent, behaviour_set, motivations, nested, step
 
 

@@ -1,0 +1,107 @@
+"""Whole teams under the template's default parameters, and what goes over the wire."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any, Dict, Sequence
+
+import pytest
+
+from rqt_mrta_py.hooks import Outgoing
+from tests.plugins.mrta_alliance.team import Team, agent, behaviour_set, nested, step
+
+
+def by_default(tasks: Sequence[str], head_start: float = 0.5) -> Dict[str, Any]:
+    """Give what the template fills in for an application that says nothing; what is left out is the same."""
+    sets = [{"task_id": task, "motivational_behaviour": {"impatience": {"head_start": head_start}}} for task in tasks]
+    return {"behaviour_sets": {f"behaviour_set{index}": each for index, each in enumerate(sets)}}
+
+
+def team_of(robots: int, tasks: int, head_start: float = 0.5) -> Team:
+    names = [f"robot{number}" for number in range(robots)]
+    kinds = [f"task{number}" for number in range(tasks)]
+    return Team({name: agent(name, by_default(kinds, head_start), kinds, names) for name in names}, kinds)
+
+
+@pytest.mark.parametrize(("robots", "tasks"), [(1, 1), (1, 3), (2, 2), (2, 5), (3, 3), (5, 3), (8, 4), (10, 10)])
+def test_equal_robots_share_out_their_tasks_under_default_parameters(robots: int, tasks: int) -> None:
+    """After 20 s every robot that can have a task of its own has one, and for a minute it stays so."""
+    team = team_of(robots, tasks)
+    team.step_to(100)
+    first = team.holders()
+    assert sum(len(holders) for holders in first.values()) == min(robots, tasks)
+    assert max(len(holders) for holders in first.values()) == 1
+    for cycle in range(101, 400):
+        team.step_to(cycle)
+        assert team.holders() == first
+
+
+def test_equal_robots_without_a_head_start_decide_alike_for_ever() -> None:
+    """Why there is a head start: in lockstep the equations alone tell equal robots nothing to differ by."""
+    team = team_of(2, 1, head_start=0.0)
+    for cycle in range(1, 600):
+        decisions = team.step_to(cycle)
+        assert decisions["robot0"].task == decisions["robot1"].task
+
+
+def test_default_team_replaces_a_silent_robot_in_time() -> None:
+    """Within tau + theta / (fast rate x spin rate) + one cycle = 3 + 6 + 0.2 s, whichever robot falls silent."""
+    for robot in ("robot0", "robot1", "robot2"):
+        team = team_of(5, 3)
+        (task,) = (task for task, holders in team.step_to(150) and team.holders().items() if robot in holders)
+        team.stopped.append(robot)
+        team.step_to(150 + 46)
+        assert len(team.holders()[task]) == 1
+
+
+FIELD = re.compile(r"^\s*([\w/\[\]]+)\s+(\w+)\s*(?:#.*)?$")
+
+
+def declared(root: Path, type_name: str) -> Sequence[str]:
+    package, name = type_name.split("/")
+    text = (root / "plugins" / "messages" / package / "msg" / f"{name}.msg").read_text(encoding="utf-8")
+    return [match.group(2) for match in map(FIELD.match, text.splitlines()) if match]
+
+
+def test_every_message_fills_every_field_of_its_type_in_order(root: Path) -> None:
+    one = agent("one", nested(behaviour_set("patrol", 29.0)), ["patrol"])
+    step(one, 1.0)
+    messages: Dict[str, Outgoing] = {message.topic: message for message in step(one, 1.2).messages}
+    assert {topic: message.type for topic, message in messages.items()} == {
+        "alliance/motivation/patrol": "alliance_msgs/Motivation",
+        "alliance/sensory_feedback": "alliance_msgs/SensoryFeedback",
+        "/alliance/inter_robot_communication": "alliance_msgs/InterRobotCommunication",
+    }
+    for message in messages.values():
+        assert list(message.fields) == list(declared(root, message.type))
+        assert message.fields["header"] == {"stamp": 1.2, "frame_id": "/one"}
+
+
+def test_motivation_message_says_what_moved_the_set() -> None:
+    one = agent("one", nested(behaviour_set("patrol", 1.5), behaviour_set("inspect", 1.0)), ["patrol", "inspect"])
+    (message,) = (m for m in step(one, 1.0).messages if m.topic == "alliance/motivation/inspect")
+    assert message.fields == {
+        "header": {"stamp": 1.0, "frame_id": "/one"},
+        "task_id": "inspect",
+        "impatience": 1.0,
+        "acquiescent": False,
+        "suppressed": False,
+        "resetted": False,
+        "applicable": True,
+        "motivation": 1.0,
+        "threshold": 30.0,
+        "active": False,
+    }
+
+
+def test_agent_says_motivations_then_feedback_then_its_announcement() -> None:
+    one = agent("one", nested(behaviour_set("patrol", 29.0), behaviour_set("inspect", 1.0)), ["patrol", "inspect"])
+    step(one, 1.0)
+    assert [message.topic for message in step(one, 1.2).messages] == [
+        "alliance/motivation/patrol",
+        "alliance/motivation/inspect",
+        "alliance/sensory_feedback",
+        "alliance/sensory_feedback",
+        "/alliance/inter_robot_communication",
+    ]
