@@ -4,8 +4,11 @@
 * ``xml_text``, ``element``: XML text to a cursor with typed getters
 * ``architecture``, ``application``: both flavours of rqt_mrta.xml; ``topics``, ``templates``, ``launches``,
   ``flavour`` and ``ids`` are their parts
-* ``manifest``, ``registration``, ``discovery``: package.xml to what is registered, and where
-* ``values``: what a parameter's text is worth
+* ``yaml_text``, ``schema``: YAML text to values with lines, checked by tables that are also the documentation
+* ``tasks``, ``scenario``, ``scenario_form``, ``places``: the files with these tables
+* ``manifest``, ``registration``, ``discovery``, ``source``: package.xml to what is registered, and where
+* ``values``, ``layers``, ``parameters``, ``robot_parameters``, ``parameter_file``: templates to each robot's parameters
+* ``mission``: all of it joined
 """
 
 from __future__ import annotations
@@ -14,16 +17,42 @@ from rqt_mrta_py.config.application import read_application
 from rqt_mrta_py.config.architecture import read_architecture
 from rqt_mrta_py.config.discovery import discover, own_packages
 from rqt_mrta_py.config.manifest import Manifest, read_manifest
+from rqt_mrta_py.config.mission import load_mission, load_observed, mission_from_texts
+from rqt_mrta_py.config.parameter_file import dump_parameters, parse_parameters
+from rqt_mrta_py.config.parameters import (
+    ParameterContext,
+    ResolvedParameters,
+    locate_problems,
+    resolve_parameters,
+)
 from rqt_mrta_py.config.registration import Registration, RegistrationKind, Registry
+from rqt_mrta_py.config.robot_parameters import ParameterChecks, Team, config_name, resolve_team
+from rqt_mrta_py.config.scenario import read_scenario
+from rqt_mrta_py.config.tasks import read_tasks
 
 __all__ = [
     "Manifest",
+    "ParameterChecks",
+    "ParameterContext",
     "Registration",
     "RegistrationKind",
     "Registry",
+    "ResolvedParameters",
+    "Team",
+    "config_name",
     "discover",
+    "dump_parameters",
+    "load_mission",
+    "load_observed",
+    "locate_problems",
+    "mission_from_texts",
     "own_packages",
+    "parse_parameters",
     "read_application",
     "read_architecture",
     "read_manifest",
+    "read_scenario",
+    "read_tasks",
+    "resolve_parameters",
+    "resolve_team",
 ]

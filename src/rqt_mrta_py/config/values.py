@@ -9,18 +9,19 @@ from typing import Any, Union
 from rqt_mrta_py.config.wording import shown
 from rqt_mrta_py.model import ParameterType
 
-__all__ = ["Scalar", "check_value", "has_token", "parse_text"]
+__all__ = ["WANTED", "Scalar", "check_value", "has_token", "parse_text"]
 
 Scalar = Union[bool, int, float, str]
 
 _TOKEN = re.compile(r"@(robot_id|task_id|index|array_size|package)@")
 _INT = re.compile(r"[+-]?[0-9]{1,18}\Z")
-_WANTED = {
+WANTED = {
     ParameterType.BOOL: "true or false",
     ParameterType.INT: "a whole number",
     ParameterType.DOUBLE: "a finite number",
     ParameterType.STRING: "a text",
 }
+"""What a type accepts, in words."""
 
 
 def has_token(text: str) -> bool:
@@ -51,7 +52,7 @@ def parse_text(text: str, kind: ParameterType) -> Scalar:
             value = math.nan
         if math.isfinite(value) and "_" not in text:
             return value
-    raise ValueError(f"must be {_WANTED[kind]} (got {shown(text)})")
+    raise ValueError(f"must be {WANTED[kind]} (got {shown(text)})")
 
 
 def check_value(value: Any, kind: ParameterType) -> Scalar:
@@ -78,4 +79,4 @@ def check_value(value: Any, kind: ParameterType) -> Scalar:
     if kind is ParameterType.STRING and isinstance(value, str):
         return value
     hint = "; put it in quotes" if kind is ParameterType.STRING and isinstance(value, (bool, int, float)) else ""
-    raise ValueError(f"must be {_WANTED[kind]} (got {shown(value)}){hint}")
+    raise ValueError(f"must be {WANTED[kind]} (got {shown(value)}){hint}")

@@ -1,0 +1,56 @@
+"""Parameters as YAML text: what rosparam loads, and what a mission's message carries."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, Mapping, Union
+
+import yaml
+
+from rqt_mrta_py.config.wording import shown
+from rqt_mrta_py.config.yaml_text import parse_yaml
+from rqt_mrta_py.errors import ConfigError, Problem
+
+__all__ = ["dump_parameters", "parse_parameters"]
+
+
+class _Dumper(yaml.SafeDumper):
+    """Writes equal values in full, without anchors."""
+
+    def ignore_aliases(self, data: Any) -> bool:
+        """Never refer back."""
+        return True
+
+
+def dump_parameters(parameters: Mapping[str, Any]) -> str:
+    """Write parameters, of one robot or by robot, in their own order.
+
+    Args:
+        parameters: nested mappings of plain values.
+
+    Returns:
+        YAML, ending in a line break; the same text for the same parameters.
+    """
+    return yaml.dump(_plain(parameters), Dumper=_Dumper, sort_keys=False, default_flow_style=False, width=1_000_000)
+
+
+def parse_parameters(text: Union[str, bytes], path: str) -> Dict[str, Any]:
+    """Read what ``dump_parameters`` wrote.
+
+    Args:
+        text: the whole file.
+        path: by which problems name it.
+
+    Raises:
+        ConfigError: it is not YAML that is accepted here, or no mapping.
+    """
+    node = parse_yaml(text, path)
+    if node is None:
+        return {}
+    if not isinstance(node.value, dict):
+        raise ConfigError([Problem(path, node.line, "", f"must be a mapping (got {shown(node.plain())})")])
+    plain: Dict[str, Any] = node.plain()
+    return plain
+
+
+def _plain(value: Any) -> Any:
+    return {str(name): _plain(inner) for name, inner in value.items()} if isinstance(value, Mapping) else value

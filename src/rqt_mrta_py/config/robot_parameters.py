@@ -1,0 +1,153 @@
+"""The parameters of a whole team: which files count for which robot."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Protocol, Sequence, Tuple
+
+from rqt_mrta_py.config.layers import Layer, split_overrides, xml_layer, yaml_layer
+from rqt_mrta_py.config.parameters import ParameterContext, ResolvedParameters, locate_problems, resolve_parameters
+from rqt_mrta_py.config.source import read_file
+from rqt_mrta_py.config.wording import accepted
+from rqt_mrta_py.errors import ConfigError, Problem
+from rqt_mrta_py.model import ApplicationRobot, ApplicationSpec, ArchitectureSpec, ConfigTemplate, Task
+
+__all__ = ["ParameterChecks", "Team", "config_name", "resolve_team"]
+
+
+class ParameterChecks(Protocol):
+    """Whoever asks plugins about parameters; the plugin manager does."""
+
+    def problems(self, hook: str, **arguments: Any) -> Sequence[Tuple[str, str]]:
+        """Give path and message of everything that plugins find wrong."""
+        ...
+
+
+class Team(NamedTuple):
+    """Whose parameters are resolved.
+
+    Attributes:
+        application: the team.
+        application_file: its rqt_mrta.xml; parameter files lie in ``config`` beside it.
+        architecture: whose templates count.
+        architecture_file: its rqt_mrta.xml.
+        tasks: of the mission.
+    """
+
+    application: ApplicationSpec
+    application_file: Path
+    architecture: ArchitectureSpec
+    architecture_file: Path
+    tasks: Tuple[Task, ...]
+
+    @property
+    def template(self) -> ConfigTemplate:
+        """The config that every robot gets a copy of; an empty one if the architecture has none."""
+        for config in self.architecture.configs:
+            if config.id == self.architecture.robot_config_id:
+                return config
+        return ConfigTemplate("", ())
+
+    @property
+    def at_home(self) -> bool:
+        """True under the application's own architecture, for which its rqt_mrta.xml is filled in."""
+        return self.application.architecture in (None, self.architecture.package)
+
+    def tasks_of(self, robot: ApplicationRobot) -> Tuple[Task, ...]:
+        """List the tasks that a robot may carry out, in the mission's order; all if the application names none."""
+        return tuple(task for task in self.tasks if task.id in robot.tasks) if robot.tasks else self.tasks
+
+
+def config_name(robot_id: str, config_id: str) -> str:
+    """Name one robot's copy of a config, which is also the name of its file."""
+    return f"{robot_id.replace('/', '_')}_{config_id}"
+
+
+def resolve_team(
+    team: Team, overrides: Sequence[str] = (), checks: Optional[ParameterChecks] = None
+) -> Dict[str, ResolvedParameters]:
+    """Resolve the parameters of every robot.
+
+    Later sources cover earlier ones: the template's defaults; under the application's own architecture the configs
+    of its rqt_mrta.xml, for all robots (``<config_id>``) and for one (``<robot>_<config_id>``); the YAML files of
+    these names in ``config``, under another architecture in ``config/<architecture>``; the command line.
+
+    Args:
+        team: whose.
+        overrides: each ``<robot>/<path>=<value>``.
+        checks: asks plugins about what was resolved; None: they are not asked.
+
+    Returns:
+        Parameters by robot, in the application's order.
+
+    Raises:
+        ConfigError: with everything that is wrong for any robot.
+    """
+    problems: List[Problem] = list(_strange_configs(team)) if team.at_home else []
+    robots = team.application.robots
+    given, strange = split_overrides(overrides, [robot.id for robot in robots])
+    problems.extend(strange)
+    resolved: Dict[str, ResolvedParameters] = {}
+    for robot in robots:
+        try:
+            layers = [*_file_layers(team, robot.id), given.get(robot.id, {})]
+            resolved[robot.id] = resolve_parameters(team.template, layers, _context(team, robot))
+        except ConfigError as error:
+            problems.extend(error.problems)
+            continue
+        if checks is not None:
+            problems.extend(_ask(checks, team, robot, resolved[robot.id]))
+    if problems:
+        raise ConfigError(problems)
+    return resolved
+
+
+def _context(team: Team, robot: ApplicationRobot) -> ParameterContext:
+    return ParameterContext(
+        robot_id=robot.id,
+        tasks=tuple(task.id for task in team.tasks_of(robot)),
+        all_tasks=bool(robot.tasks),
+        package=team.application.package,
+        template_source=str(team.architecture_file),
+        values_source=str(team.application_file if team.at_home else team.architecture_file),
+    )
+
+
+def _file_layers(team: Team, robot_id: str) -> Iterator[Layer]:
+    names = (team.template.id, config_name(robot_id, team.template.id))
+    folder = team.application_file.parent / "config"
+    if team.at_home:
+        for name in names:
+            for config in team.application.configs:
+                if config.id.replace("/", "_") == name:
+                    yield xml_layer(config.items, str(team.application_file))
+    else:
+        folder = folder / team.architecture.package
+    for name in names if team.template.id else ():
+        path = folder / f"{name}.yaml"
+        if path.is_file():
+            yield yaml_layer(read_file(path), str(path))
+
+
+def _strange_configs(team: Team) -> Iterator[Problem]:
+    """Find configs that would never be read."""
+    template = team.template.id
+    known = [config_name(robot.id, template) for robot in team.application.robots] if template else []
+    known.extend(config.id for config in team.architecture.configs)
+    for config in team.application.configs:
+        if config.id.replace("/", "_") not in known:
+            message = f"{config.id!r} is no config of {team.architecture.package}; {accepted(config.id, known)}"
+            yield Problem(str(team.application_file), config.line, "configs/id", message)
+
+
+def _ask(
+    checks: ParameterChecks, team: Team, robot: ApplicationRobot, resolved: ResolvedParameters
+) -> Tuple[Problem, ...]:
+    found = checks.problems(
+        "mrta_check_parameters",
+        architecture=team.architecture.package,
+        robot_id=robot.id,
+        parameters=resolved.values,
+        tasks=team.tasks_of(robot),
+    )
+    return locate_problems(resolved, found, otherwise=str(team.application_file))

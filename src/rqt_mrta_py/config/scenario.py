@@ -1,0 +1,166 @@
+"""From the text of a scenario.yaml to what is simulated."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, List, Optional, Sequence, Union
+
+from rqt_mrta_py.config.places import PLACE, pose_of
+from rqt_mrta_py.config.problems import Problems
+from rqt_mrta_py.config.scenario_form import SCENARIO_FILE
+from rqt_mrta_py.config.schema import Row, read_document
+from rqt_mrta_py.config.wording import accepted, shown
+from rqt_mrta_py.config.yaml_text import parse_yaml
+from rqt_mrta_py.model import (
+    Arena,
+    Obstacle,
+    Pose,
+    RobotSetup,
+    ScenarioEvent,
+    ScenarioEventKind,
+    ScenarioSpec,
+    SensorSetup,
+    is_legal_name,
+    normalise_id,
+)
+
+__all__ = ["read_scenario"]
+
+
+def read_scenario(text: Union[str, bytes], path: str, robots: Optional[Sequence[str]] = None) -> ScenarioSpec:
+    """Read what is simulated.
+
+    Args:
+        text: the whole file.
+        path: by which problems name the file.
+        robots: ids of the application's robots, which must be those of the scenario; None: not checked.
+
+    Raises:
+        ConfigError: with everything that is wrong, sorted by line.
+    """
+    problems = Problems(path)
+    root = read_document(parse_yaml(text, path), SCENARIO_FILE, problems)
+    robot_rows: List[Row] = root.values["robots"] or []
+    obstacle_rows: List[Row] = root.values["obstacles"] or []
+    event_rows: List[Row] = root.values["events"] or []
+    defaults: Optional[Row] = root.values["robot_defaults"]
+    names = _check_ids(robot_rows, "robots", problems)
+    _check_ids(obstacle_rows, "obstacles", problems)
+    if robots is not None:
+        _check_team(root, robot_rows, names, robots, problems)
+    _check_arena(root.values["arena"], problems)
+    for row in obstacle_rows:
+        _check_obstacle(row, problems)
+    for row in [*([defaults] if defaults is not None else []), *robot_rows]:
+        _check_sensors(row, problems)
+    for row in event_rows:
+        _check_event(row, list(names), problems)
+    problems.raise_if_any()
+    arena: Dict[str, float] = root.values["arena"].values
+    events = [_event(row) for row in event_rows]
+    return ScenarioSpec(
+        arena=Arena(**arena),
+        obstacles=tuple(_obstacle(row) for row in obstacle_rows),
+        robots=tuple(_robot(row, defaults) for row in robot_rows),
+        events=tuple(sorted(events, key=lambda event: event.time)),
+        world=root.values["world"],
+        duration=root.values["duration"],
+        control_rate=root.values["control_rate"],
+        picture_period=root.values["picture_period"],
+    )
+
+
+def _check_ids(rows: List[Row], what: str, problems: Problems) -> Dict[str, int]:
+    """Note ids that are unfit or stand twice; give the line of each id."""
+    lines: Dict[str, int] = {}
+    for row in rows:
+        value = row.values["id"]
+        if not isinstance(value, str):
+            continue
+        name = normalise_id(value)
+        line, element = row.at("id")
+        if any(character.isspace() for character in name) or not name:
+            problems.add(line, element, f"must be a name without spaces (got {shown(value)})")
+        elif name in lines:
+            problems.add(line, element, f"{name!r} names two {what}; the first one is in line {lines[name]}")
+        elif what == "robots" and not is_legal_name(f"/{name}"):
+            problems.add(line, element, f"must be a name that ROS accepts: letters, digits and _ (got {shown(value)})")
+        lines.setdefault(name, line)
+    return lines
+
+
+def _check_team(root: Row, rows: List[Row], names: Dict[str, int], team: Sequence[str], problems: Problems) -> None:
+    for row in rows:
+        name = normalise_id(row.values["id"] or "")
+        if name and name not in team:
+            problems.add(*row.at("id"), f"{name!r} is no robot of the application; {accepted(name, team)}")
+    missing = [name for name in team if name not in names]
+    if missing and root.values["robots"] is not None:
+        problems.add(*root.at("robots"), f"the application also has {', '.join(missing)}; say where they start")
+
+
+def _check_arena(row: Optional[Row], problems: Problems) -> None:
+    if row is None:
+        return
+    for axis in ("x", "y"):
+        low, high = row.values[f"min_{axis}"], row.values[f"max_{axis}"]
+        if low is not None and high is not None and low >= high:
+            problems.add(*row.at(f"max_{axis}"), f"must be above min_{axis}, which is {low:g} m (got {high:g})")
+
+
+def _check_obstacle(row: Row, problems: Problems) -> None:
+    size = row.values["size"]
+    if size is None:
+        return
+    if min(size) <= 0.0:
+        problems.add(*row.at("size"), f"must be above 0 m in each direction (got {shown(list(size))})")
+    elif row.values["shape"] == "cylinder" and size[0] != size[1]:
+        problems.add(*row.at("size"), f"of a cylinder begins with its diameter twice (got {shown(list(size))})")
+
+
+def _check_sensors(row: Row, problems: Problems) -> None:
+    sensors: Sequence[Row] = row.values["sensors"] or ()
+    for sensor in sensors:
+        topic = sensor.values["topic"]
+        if topic is not None and not is_legal_name(topic):
+            problems.add(*sensor.at("topic"), f"must be a name that ROS accepts (got {shown(topic)}), such as scan")
+
+
+def _check_event(row: Row, robots: Sequence[str], problems: Problems) -> None:
+    robot, kind = row.values["robot"], row.values["kind"]
+    if robot is not None and normalise_id(robot) not in robots:
+        problems.add(*row.at("robot"), f"{robot!r} is no robot of the scenario; {accepted(robot, robots)}")
+    if robot is None and "robot" not in row.given and kind is not None:
+        problems.add(*row.at("robot"), f"is missing; {kind} happens to a robot: give its id")
+
+
+def _obstacle(row: Row) -> Obstacle:
+    values = row.values
+    length, width, height = values["size"]
+    pose = Pose(values["x"], values["y"], values["yaw"])
+    return Obstacle(normalise_id(values["id"]), pose, (length, width, height), values["shape"])
+
+
+def _robot(row: Row, defaults: Optional[Row]) -> RobotSetup:
+    def value(key: str) -> Any:
+        return row.values[key] if defaults is None or key in row.given else defaults.values[key]
+
+    start = pose_of(row.values["start"])
+    if start is None:
+        raise ValueError(f"{row.element} was read without a start; {PLACE.summary}")
+    return RobotSetup(
+        id=normalise_id(row.values["id"]),
+        model=value("model"),
+        start=start,
+        sensors=tuple(_sensor(sensor) for sensor in value("sensors")),
+        capabilities=tuple(value("capabilities")),
+    )
+
+
+def _sensor(row: Row) -> SensorSetup:
+    return SensorSetup(row.values["kind"], row.values["topic"], row.values["rate"], row.further)
+
+
+def _event(row: Row) -> ScenarioEvent:
+    robot, task = (None if row.values[key] is None else normalise_id(row.values[key]) for key in ("robot", "task"))
+    kind = ScenarioEventKind(row.values["kind"])
+    return ScenarioEvent(row.values["time"], kind, robot, task, dict(row.values["parameters"]))

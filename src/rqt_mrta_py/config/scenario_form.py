@@ -1,0 +1,100 @@
+"""The form of a scenario.yaml.
+
+A minimal one is short::
+
+    arena: {min_x: -3, min_y: -3, max_x: 3, max_y: 3}
+    robots:
+      - {id: robot1, start: {x: 0, y: 0}}
+"""
+
+from __future__ import annotations
+
+from rqt_mrta_py.config.places import PLACE
+from rqt_mrta_py.config.schema import Key, Table, ValueType
+from rqt_mrta_py.model import ScenarioEventKind
+
+__all__ = ["ARENA", "EVENT", "OBSTACLE", "ROBOT", "ROBOT_DEFAULTS", "SCENARIO_FILE", "SENSOR"]
+
+ARENA = Table(
+    "arena",
+    "A rectangle of floor with a wall around it, in the frame map.",
+    (
+        Key("min_x", ValueType.NUMBER, "Inner face of the wall towards smaller x.", "m"),
+        Key("min_y", ValueType.NUMBER, "Inner face of the wall towards smaller y.", "m"),
+        Key("max_x", ValueType.NUMBER, "Inner face of the wall towards larger x.", "m"),
+        Key("max_y", ValueType.NUMBER, "Inner face of the wall towards larger y.", "m"),
+        Key("wall_height", ValueType.NUMBER, "Height of the wall.", "m", 0.3, above=0),
+    ),
+)
+
+OBSTACLE = Table(
+    "obstacle",
+    "A fixed body on the floor.",
+    (
+        Key("id", ValueType.TEXT, "Name of the obstacle, unique in the file."),
+        Key("shape", ValueType.TEXT, "What it looks like.", default="box", choices=("box", "cylinder")),
+        Key("x", ValueType.NUMBER, "Position of its centre along the x axis.", "m"),
+        Key("y", ValueType.NUMBER, "Position of its centre along the y axis.", "m"),
+        Key("yaw", ValueType.NUMBER, "Turn of its length, counter-clockwise from the x axis.", "rad", 0.0),
+        Key("size", ValueType.NUMBERS, "Length, width, height; a cylinder's diameter stands twice.", "m", count=3),
+    ),
+)
+
+SENSOR = Table(
+    "sensor",
+    "One simulated sensor; further keys are the parameters of its model.",
+    (
+        Key("kind", ValueType.TEXT, "Name under which the sensor is registered."),
+        Key("topic", ValueType.TEXT, "Where it publishes, relative to the robot's namespace."),
+        Key("rate", ValueType.NUMBER, "How often it measures.", "Hz", above=0),
+    ),
+    further=True,
+)
+
+_EQUIPMENT = (
+    Key("model", ValueType.TEXT, "Name under which the robot's model is registered.", default="diff_drive"),
+    Key("sensors", ValueType.TABLES, "Its sensors.", default=(), table=SENSOR),
+    Key("capabilities", ValueType.TEXTS, "What it can do, beyond its model's.", default=()),
+)
+
+ROBOT_DEFAULTS = Table("robot_defaults", "What every robot has that does not say otherwise.", _EQUIPMENT)
+
+ROBOT = Table(
+    "robot",
+    "One simulated robot; a key given here replaces the one in robot_defaults as a whole.",
+    (
+        Key("id", ValueType.TEXT, "As in the application."),
+        Key("start", ValueType.TABLE, "Where it starts.", table=PLACE),
+        *_EQUIPMENT,
+    ),
+)
+
+EVENT = Table(
+    "event",
+    "Something that happens at a given time, on purpose.",
+    (
+        Key("time", ValueType.NUMBER, "Mission time at which it happens.", "s", minimum=0),
+        Key("kind", ValueType.TEXT, "What happens.", choices=tuple(kind.value for kind in ScenarioEventKind)),
+        Key("robot", ValueType.TEXT, "Whom it happens to.", default=None),
+        Key("task", ValueType.TEXT, "Which task it happens to.", default=None),
+        Key("parameters", ValueType.FREE, "How strongly, how far, to whom.", default={}),
+    ),
+)
+
+SCENARIO_FILE = Table(
+    "scenario.yaml",
+    "Everything that is simulated in one application.",
+    (
+        Key("world", ValueType.TEXT, "Name under which the world is registered.", default="bullet"),
+        Key("duration", ValueType.NUMBER, "Length of the mission.", "s", 60.0, above=0),
+        Key("control_rate", ValueType.WHOLE, "Control ticks a second.", "Hz", 20, minimum=1, maximum=1000),
+        Key(
+            "picture_period", ValueType.NUMBER, "Mission time between two monitor pictures; 0 for none.", "s", 1.0, 0.0
+        ),
+        Key("arena", ValueType.TABLE, "Floor and walls.", table=ARENA),
+        Key("obstacles", ValueType.TABLES, "Fixed bodies on the floor.", default=(), table=OBSTACLE),
+        Key("robot_defaults", ValueType.TABLE, "What robots have in common.", default=None, table=ROBOT_DEFAULTS),
+        Key("robots", ValueType.TABLES, "The robots of the application.", table=ROBOT),
+        Key("events", ValueType.TABLES, "What happens on the way.", default=(), table=EVENT),
+    ),
+)
