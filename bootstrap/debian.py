@@ -161,6 +161,6 @@ def _install(apt_get: Sequence[str], packages: Sequence[str]) -> str:
     if not packages:
         return ""
     program = [*apt_get[:-1], "env", "DEBIAN_FRONTEND=noninteractive", apt_get[-1]]
-    options = ["-qq", "-y", "--no-install-recommends", "-o", "DPkg::Lock::Timeout=600"]
+    options = ["-qq", "-y", "--no-install-recommends", "-o", "DPkg::Lock::Timeout=600", "-o", "Dpkg::Use-Pty=0"]
     process = run([*program, *options, "install", *packages])
     return tail(process) or "\n    no message" if process.returncode else ""

@@ -29,7 +29,7 @@ install_python() {
         {
             "${as_root[@]}" apt-get -qq update || true
             "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends \
-                -o DPkg::Lock::Timeout=600 install python3 python3-venv || true
+                -o DPkg::Lock::Timeout=600 -o Dpkg::Use-Pty=0 install python3 python3-venv || true
         } </dev/null >/dev/null
         find_python /usr/bin/python3 && return
     fi
