@@ -42,6 +42,10 @@ def test_panel_shows_every_robot_and_task_of_the_mission_in_order_before_anythin
     assert 1.05 <= view.top <= 1.1
 
 
+def test_panel_hears_all_motivations() -> None:
+    assert [wish.topic for wish in panel().subscriptions()] == ["/@robot_id@/alliance/motivation/@task_id@"]
+
+
 def test_panel_shows_a_robot_only_its_own_tasks() -> None:
     view = panel([ApplicationRobot("a", ("inspect",))]).view(0.0, 10.0)
     assert [[c.label for c in group.curves] for group in view.groups] == [["inspect"]]

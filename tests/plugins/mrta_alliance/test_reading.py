@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import fields
 from pathlib import Path
-from typing import Any, Dict
+from typing import Any, Dict, Tuple
 from xml.etree import ElementTree
 
 import pytest
@@ -17,6 +17,7 @@ from mrta_alliance.parameters import (
 )
 from mrta_alliance.reading import find_problems, read_parameters
 
+from rqt_mrta_py.config import ParameterContext, read_architecture, resolve_parameters
 from tests.plugins.mrta_alliance.team import behaviour_set, nested
 
 ORIGINAL = """
@@ -91,6 +92,7 @@ INNER = f"{SET}/motivational_behaviour"
         ),
         ("buffer_horizon", 1.5, "must be at least timeout_duration = 2 s (got 1.5)"),
         ("sensors/size", -1, "must be a whole number, at least 0 (got -1)"),
+        ("sensors/sensor0/topic_name", "", "must name a topic (got nothing)"),
         ("sensors/sensor0/timeout_duration", 0, "must be above 0 s (got 0)"),
         ("behaviour_sets/size", True, "must be a whole number, at least 0 (got True)"),
         (f"{SET}/task_id", "cook", "must be a task of this robot (got 'cook'); there are: patrol, border-patrol"),
@@ -199,3 +201,16 @@ def test_template_and_dataclasses_agree_on_defaults(root: Path) -> None:
     sensor = {field.name: field.default for field in fields(SensorParameters)}
     assert float(defaults["sensors/sensor@index@/timeout_duration"]) == sensor["timeout_duration"]
     assert (coded["head_start"], defaults[f"{inner}/impatience/head_start"]) == (0.0, "0.5")
+
+
+@pytest.mark.parametrize("tasks", [("patrol",), ("patrol", "inspect", "report", "cook")])
+def test_template_alone_suits_any_robot(root: Path, tasks: Tuple[str, ...]) -> None:
+    path = root / "plugins/architectures/mrta_alliance/rqt_mrta.xml"
+    (template,) = read_architecture(path.read_bytes(), str(path), "mrta_alliance").configs
+    context = ParameterContext("robot1", tasks, False, "app", str(path), str(path))
+    values = resolve_parameters(template, (), context).values
+    assert values["name"] == "robot1"
+    told = read_parameters(values, tasks)
+    assert [each.task_id for each in told.behaviour_sets] == list(tasks)
+    assert {each.head_start for each in told.behaviour_sets} == {0.5}
+    assert told.sensors == ()

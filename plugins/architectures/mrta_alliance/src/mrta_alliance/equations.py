@@ -110,9 +110,8 @@ def reset(others: Iterable[Announcements], before: float, now: float) -> bool:
         before: t - dt, the cycle before [s].
         now: t [s].
     """
-    return any(
-        received((other.noticed,), before, now) and not received((other.noticed,), 0.0, before) for other in others
-    )
+    # Noticed is when the first message came, so there is none before it.
+    return any(received((other.noticed,), before, now) for other in others)
 
 
 def active_for(delay: float, active_since: float, now: float) -> bool:
