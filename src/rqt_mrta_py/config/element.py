@@ -10,11 +10,12 @@ from lxml import etree
 
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.wording import accepted, shown
-from rqt_mrta_py.config.xml_text import parse_xml
+from rqt_mrta_py.config.xml_text import line_of, parse_xml
 
 __all__ = ["Element", "Numbered", "Text", "open_document"]
 
 _WRAP = re.compile(r"\s*[\r\n]\s*")
+_NUMBER = re.compile(r"_[0-9]+\Z")
 _NUMBERED = re.compile(r"(\w+?)_([0-9]{1,9})\Z")
 
 
@@ -55,7 +56,7 @@ class Element:
     @property
     def line(self) -> int:
         """The 1-based line on which it begins."""
-        return int(self._node.sourceline or 0)
+        return line_of(self._node)
 
     @property
     def tag(self) -> str:
@@ -66,6 +67,10 @@ class Element:
     def empty(self) -> bool:
         """True if it holds neither elements nor text; equals an absent one."""
         return not self._children and not _joined(self._node.text)
+
+    def has(self, name: str) -> bool:
+        """Tell whether there is a child of a name that is not empty, without counting it as read."""
+        return any(node.tag == name and (len(node) or _joined(node.text)) for node in self._unread.values())
 
     def problem(self, name: str, message: str, line: Optional[int] = None) -> None:
         """Note a problem of this element, or of the child called ``name`` where that is not empty."""
@@ -97,7 +102,8 @@ class Element:
             kinds: for instance ``param`` for ``param_0``, ``param_1`` and so on; all kinds share one counter.
 
         Returns:
-            The children. Numbers only order, so gaps are accepted; a number that stands twice is a problem.
+            The children, empty ones left out. Numbers only order, so gaps are accepted; a number that stands twice
+            is a problem.
         """
         self._known.update(dict.fromkeys(f"{kind}_<number>" for kind in kinds))
         found: Dict[int, Numbered] = {}
@@ -107,6 +113,8 @@ class Element:
                 continue
             element = Element(self._unread.pop(index), self._at(str(node.tag)), self._problems)
             number = int(match.group(2))
+            if element.empty:
+                continue
             if number in found:
                 first = found[number].element
                 element.problem("", f"number {number} is taken by {first.tag} in line {first.line}; count on")
@@ -181,9 +189,8 @@ class Element:
         """Note as problems what nobody asked for: elements, attributes and, in a container, text."""
         for node in self._unread.values():
             name = str(node.tag)
-            self._problems.add(
-                int(node.sourceline or 0), self._at(name), f"is not expected here; {accepted(name, self._known)}"
-            )
+            wanted = accepted(_NUMBER.sub("_<number>", name), self._known)
+            self._problems.add(line_of(node), self._at(name), f"is not expected here; {wanted}")
         for name in self._unread_attributes:
             self.problem(f"@{name}", f"is not expected here; {accepted(name, self._known_attributes)}")
         if not text_allowed:
@@ -211,7 +218,7 @@ def open_document(text: Union[str, bytes], path: str, root: str, problems: Probl
     """
     node = parse_xml(text, path)
     if node.tag != root:
-        problems.add(int(node.sourceline or 0), str(node.tag), f"is not the root of such a file; accepted: {root}")
+        problems.add(line_of(node), str(node.tag), f"is not the root of such a file; accepted: {root}")
         problems.raise_if_any()
     return Element(node, "", problems)
 

@@ -17,7 +17,7 @@ from lxml import etree
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.registration import Registration, RegistrationKind
 from rqt_mrta_py.config.wording import accepted, shown
-from rqt_mrta_py.config.xml_text import parse_xml
+from rqt_mrta_py.config.xml_text import line_of, parse_xml
 from rqt_mrta_py.errors import ConfigError, Problem
 
 __all__ = ["HOSTS", "Manifest", "read_manifest"]
@@ -64,10 +64,10 @@ def read_manifest(path: Path) -> Manifest:
         raise ConfigError([Problem(str(path), 0, "", f"cannot be read: {error.strerror or error}")]) from error
     root = parse_xml(raw, str(path))
     if root.tag != "package":
-        problems.add(_line(root), str(root.tag), "is not the root of a manifest; accepted: package")
+        problems.add(line_of(root), str(root.tag), "is not the root of a manifest; accepted: package")
     name = (root.findtext("name") or "").strip()
     if not name:
-        problems.add(_line(root), "name", "is missing or empty; give the name of the package")
+        problems.add(line_of(root), "name", "is missing or empty; give the name of the package")
     problems.raise_if_any()
     return _Reader(path, name, problems).read(root)
 
@@ -85,7 +85,7 @@ class _Reader:
 
     def read(self, root: etree._Element) -> Manifest:
         tags = [tag for export in root.iterfind("export") for host in HOSTS for tag in export.iterfind(host)]
-        tags.sort(key=_line)
+        tags.sort(key=line_of)
         if tags and not (self._name in HOSTS or _depends(root)):
             self._note(tags[0], "", f"counts only with a direct <exec_depend>{tags[0].tag}</exec_depend>; add it")
             tags = []
@@ -141,7 +141,7 @@ class _Reader:
             file=file,
             plugin=plugin,
             manifest=self._path,
-            line=_line(tag),
+            line=line_of(tag),
             problems=problems,
         )
 
@@ -155,13 +155,13 @@ class _Reader:
         path, problems = self._resolve(tag, attribute, (tag.get(attribute) or "").strip())
         self._file_problems.extend(problems)
         if path is not None:
-            self._files[attribute] = (path, _line(tag))
+            self._files[attribute] = (path, line_of(tag))
 
     def _resolve(self, tag: etree._Element, attribute: str, value: str) -> Tuple[Optional[Path], List[Problem]]:
         """Find the exported file; relative paths and both spellings of the prefix start at the package."""
 
         def problem(message: str) -> List[Problem]:
-            return [Problem(str(self._path), _line(tag), f"export/{tag.tag}/@{attribute}", message)]
+            return [Problem(str(self._path), line_of(tag), f"export/{tag.tag}/@{attribute}", message)]
 
         if not value:
             return None, problem("is empty; give a file, such as ${prefix}/rqt_mrta.xml")
@@ -176,12 +176,8 @@ class _Reader:
 
     def _note(self, tag: etree._Element, attribute: str, message: str) -> None:
         element = f"export/{tag.tag}/@{attribute}" if attribute else f"export/{tag.tag}"
-        self._problems.add(_line(tag), element, message)
+        self._problems.add(line_of(tag), element, message)
 
 
 def _depends(root: etree._Element) -> bool:
     return any((node.text or "").strip() in HOSTS for tag in _RUN_TIME for node in root.iterfind(tag))
-
-
-def _line(node: etree._Element) -> int:
-    return int(node.sourceline or 0)

@@ -227,6 +227,7 @@ class _Resolver:
         explicit = self._explicit_size(sizes[0], place)
         if not by_task:
             return _Array(explicit if explicit is not None else self._implied_size(sizes[0], place, seen))
+        seen = seen if explicit is None else min(seen, explicit)
         claims = self._claims(arrays, place, seen)
         left = [task for task in self._context.tasks if task not in claims.values()]
         free = [index for index in range(seen + len(left)) if index not in claims]

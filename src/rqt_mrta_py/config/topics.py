@@ -12,6 +12,7 @@ from rqt_mrta_py.model import MonitoredTopic, is_legal_name
 __all__ = ["read_topics"]
 
 _TOKENS = ("@robot_id@", "@task_id@")
+_TELLING = ("name", "type", "field", "robot_field", "task_field")
 _TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*\Z", re.ASCII)
 _FIELD = re.compile(r"[A-Za-z]\w*(/[A-Za-z]\w*)*\Z", re.ASCII)
 
@@ -35,8 +36,9 @@ def read_topics(parent: Optional[Element], name: str) -> Tuple[MonitoredTopic, .
 
 
 def _read_topic(element: Element) -> Optional[MonitoredTopic]:
-    if element.empty:
-        element.finish()
+    if not any(element.has(name) for name in _TELLING):
+        # The original writes a topic that was never filled in with its numbers only.
+        element.skip()
         return None
     topic = MonitoredTopic(
         name=element.required("name"),

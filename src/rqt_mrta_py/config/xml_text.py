@@ -7,14 +7,14 @@ walks over the text first and stops at the first declaration of an entity, befor
 from __future__ import annotations
 
 import re
-from typing import Union
+from typing import Any, Union
 from xml.parsers import expat
 
 from lxml import etree
 
 from rqt_mrta_py.config.problems import Problems
 
-__all__ = ["decode_xml", "parse_xml"]
+__all__ = ["decode_xml", "line_of", "parse_xml"]
 
 _POSITION = re.compile(r",? line \d+, column \d+.*\Z", re.DOTALL)
 _ENCODING = re.compile(rb"""\A\s*<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z0-9._-]+)["']""")
@@ -49,7 +49,7 @@ def parse_xml(text: Union[str, bytes], path: str) -> etree._Element:
         _refuse_entities(raw, encoding)
         root = etree.fromstring(raw, _parser(encoding))
         # An encoding that expat does not know hides declarations from it.
-        dtd = root.getroottree().docinfo.internalDTD
+        dtd: Any = root.getroottree().docinfo.internalDTD
         for entity in dtd.iterentities() if dtd is not None else ():
             raise _EntityDeclaredError(0, str(entity.name))
     except _EntityDeclaredError as refused:
@@ -81,6 +81,12 @@ def decode_xml(raw: bytes) -> str:
         return raw.decode(declared.group(1).decode("ascii") if declared else "utf-8", "replace")
     except LookupError:
         return raw.decode("utf-8", "replace")
+
+
+def line_of(node: etree._Element) -> int:
+    """Give the 1-based line on which an element begins; 0 if unknown."""
+    line: Any = node.sourceline
+    return int(line or 0)
 
 
 def _parser(encoding: Union[str, None]) -> etree.XMLParser:

@@ -27,7 +27,7 @@ from rqt_mrta_py.hooks.behaviour import (
     Command,
     Perception,
 )
-from rqt_mrta_py.hooks.evaluator import SensoryEvaluator, SensoryEvaluatorFactory, SensorReading
+from rqt_mrta_py.hooks.evaluator import SensorReading, SensoryEvaluator, SensoryEvaluatorFactory
 from rqt_mrta_py.hooks.incident import (
     AllocationEnded,
     AllocationStarted,
