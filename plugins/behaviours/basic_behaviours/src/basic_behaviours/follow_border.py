@@ -20,11 +20,12 @@ __all__ = ["FollowBorder", "FollowBorderSettings"]
 _SIDES = {"counterclockwise": -1, "clockwise": 1}
 _DISTANCE_GAIN = 1.5
 _STEEPEST = 0.7
-_LOST_BEYOND = 0.7
+_LOST_BEYOND = 1.0
 _WRAP_AROUND = 4.0
 _ISLAND_TURN = 1.75 * math.pi
 _NEW_SEARCH = 30.0
 _LONG = 2.0
+_LONG_ENOUGH = 1.5
 
 
 @dataclass(frozen=True)
@@ -48,7 +49,10 @@ class FollowBorderSettings:
 
 
 class FollowBorder:
-    """Looks for a wall, then keeps it on one side; what stands at the wall is gone around as part of it.
+    """Looks for a wall, then keeps it on one side.
+
+    What is short and stands before the wall, a robot for instance, is passed on its far side; longer things at the wall
+    are gone around as part of it.
 
     While it looks, it passes by what is shorter than 2 m, unless nothing longer is found for half a minute. A longer
     thing that stands free is told from the border by the turning: once around the border turns the robot away from
@@ -71,6 +75,8 @@ class FollowBorder:
         self._search_until = 0.0
         self._least_length = _LONG
         self._following = False
+        self._judged: Optional[Sight] = None
+        self._wall: Optional[Wall] = None
         self._lost_since: Optional[float] = None
         self._last_yaw = 0.0
         self._turned = 0.0
@@ -126,15 +132,9 @@ class FollowBorder:
 
     def _look_for_wall(self, now: float, pose: Pose, sight: Sight, settings: FollowBorderSettings) -> None:
         if self._search is None:
-            wall = nearest_long_wall(sight, _LONG)
-            if wall is None:
-                self._set_out(now, pose, sight)
-            else:
-                self._search = wrap_angle(pose.yaw + wall.bearing)
-                self._search_until = now + _NEW_SEARCH
-            self._least_length = _LONG
+            self._set_out(now, pose, sight, 0.0)
         elif now > self._search_until:
-            self._set_out(now, pose, sight)
+            self._set_out(now, pose, sight, math.inf)
             self._least_length = 0.0
         if self._is_wall_in_front(sight, settings.distance + 0.3):
             self._following = True
@@ -147,10 +147,13 @@ class FollowBorder:
         nearest = int(np.argmin(in_front))
         return bool(in_front[nearest] < within) and length_at(sight, nearest) >= self._least_length
 
-    def _set_out(self, now: float, pose: Pose, sight: Sight) -> None:
-        direction = open_direction(sight, 2.0, self._model.radius + 0.1, self._random)
+    def _set_out(self, now: float, pose: Pose, sight: Sight, beyond: float) -> None:
+        """Look for a wall: the nearest long one beyond a distance, or else in any open direction."""
+        wall = nearest_long_wall(sight, _LONG, beyond)
+        direction = open_direction(sight, 2.0, self._model.radius + 0.1, self._random) if wall is None else wall.bearing
         self._search = wrap_angle(pose.yaw + direction)
         self._search_until = now + _NEW_SEARCH
+        self._least_length = _LONG
         self._following = False
 
     def _follow(self, now: float, pose: Pose, sight: Sight, settings: FollowBorderSettings) -> Twist:
@@ -159,14 +162,17 @@ class FollowBorder:
         self._turned += side * wrap_angle(pose.yaw - self._last_yaw)
         self._last_yaw = pose.yaw
         self._least_turned = min(self._least_turned, self._turned)
-        wall = wall_beside(sight, side, settings.distance + _LOST_BEYOND)
+        if sight is not self._judged:
+            self._judged = sight
+            self._wall = wall_beside(sight, side, settings.distance + _LOST_BEYOND, _LONG_ENOUGH)
+        wall = self._wall
         if wall is not None:
             self._lost_since = None
         elif self._lost_since is None:
             self._lost_since = now
         lost_for_good = self._lost_since is not None and now - self._lost_since > _WRAP_AROUND
         if self._turned - self._least_turned > _ISLAND_TURN or lost_for_good:
-            self._set_out(now, pose, sight)
+            self._set_out(now, pose, sight, settings.distance + _LOST_BEYOND)
         radius = min(self._model.radius + 0.1, 0.8 * settings.distance)
         twist, _ = self._driver.drive(
             now,

@@ -33,21 +33,27 @@ class Wall(NamedTuple):
     bearing: float
 
 
-def wall_beside(sight: Sight, side: int, within: float) -> Optional[Wall]:
-    """Find the nearest wall on one side, from a little ahead to behind.
+def wall_beside(sight: Sight, side: int, within: float, least: float) -> Optional[Wall]:
+    """Find the wall on one side, from a little ahead to behind.
 
     Args:
         sight: what is seen.
         side: 1 for the left, -1 for the right.
         within: how far a wall may be [m].
+        least: a wall at least so long is preferred to shorter things that are nearer [m].
 
     Returns:
-        The wall; None if there is none.
+        The nearest long wall, else the nearest thing; None if there is none.
     """
     turned = side * sight.bearings
-    beside = np.where((turned >= -_AHEAD) & (turned <= _BEHIND), sight.ranges, math.inf)
-    nearest = int(np.argmin(beside))
-    return wall_at(sight, nearest) if beside[nearest] <= within else None
+    (rays,) = np.nonzero((turned >= -_AHEAD) & (turned <= _BEHIND) & (sight.ranges <= within))
+    if rays.size == 0:
+        return None
+    by_range = rays[np.argsort(sight.ranges[rays], kind="stable")].tolist()
+    for ray in by_range:
+        if length_at(sight, ray) >= least:
+            return wall_at(sight, ray)
+    return wall_at(sight, by_range[0])
 
 
 def wall_at(sight: Sight, ray: int) -> Wall:
@@ -110,11 +116,11 @@ def length_at(sight: Sight, ray: int) -> float:
     return float(high - low)
 
 
-def nearest_long_wall(sight: Sight, least: float) -> Optional[Wall]:
-    """Find the nearest wall of at least a length [m]; None if none is seen to be so long."""
+def nearest_long_wall(sight: Sight, least: float, beyond: float = 0.0) -> Optional[Wall]:
+    """Find the nearest wall all around that is at least so long and beyond a distance [m]; None if none is seen."""
     for ray in np.argsort(sight.ranges, kind="stable").tolist():
         if sight.ranges[ray] >= FAR:
             return None
-        if length_at(sight, ray) >= least:
+        if sight.ranges[ray] > beyond and length_at(sight, ray) >= least:
             return wall_at(sight, ray)
     return None
