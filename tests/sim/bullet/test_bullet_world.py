@@ -1,0 +1,91 @@
+"""What BulletWorld does beyond the contract of worlds."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from rqt_mrta_py.errors import SimError
+from rqt_mrta_py.model import Obstacle, Pose, Twist
+from rqt_mrta_py.sim.bullet import BulletWorld
+from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
+from tests.sim.worlds import run, setup
+
+
+@pytest.fixture
+def world():
+    built = BulletWorld()
+    yield built
+    built.close()
+
+
+def test_tick_that_physics_steps_do_not_fill_is_refused_showing_both(world):
+    with pytest.raises(SimError) as caught:
+        world.reset(setup(Pose(0.0, 0.0), tick=0.02))
+    assert str(caught.value) == (
+        "world bullet: a tick of 0.02 s is not a whole number of physics steps of 1/120 s (2.4 of them); "
+        "give a control rate that divides 120 Hz, such as 20"
+    )
+
+
+@pytest.mark.parametrize("control_rate", [1, 10, 20, 24, 30, 40, 60, 120])
+def test_tick_of_a_rate_that_divides_the_physics_rate_is_accepted(world, control_rate):
+    world.reset(setup(Pose(0.0, 0.0), tick=1.0 / control_rate))
+    world.command("r0", "base", Twist(0.4, 0.0, 0.0))
+    for _ in range(control_rate):
+        world.step()
+    assert world.poses()[0, 0] == pytest.approx(0.38, abs=0.01)
+
+
+@pytest.mark.parametrize("sensor_height", [0.03, 0.07, 0.12, 0.2])
+def test_robot_looks_past_its_own_wheels_and_casters(world, sensor_height):
+    """The wall is 0.3 m high: seen from every height, through whatever of the robot is in the way."""
+    model = replace(DIFF_DRIVE, sensor_height=sensor_height)
+    world.reset(setup(Pose(0.0, 0.0), model=model))
+    bearings = np.linspace(-math.pi, math.pi, 72, endpoint=False)
+    across = 3.0 / np.maximum(np.abs(np.cos(bearings)), np.abs(np.sin(bearings)))
+    np.testing.assert_allclose(world.ranges("r0", bearings, 10.0), across, atol=3e-3)
+
+
+def test_more_rays_than_one_call_takes_are_cast_all_the_same(world):
+    world.reset(setup(Pose(0.0, 0.0)))
+    measured = world.ranges("r0", np.zeros(20000), 10.0)
+    assert measured.shape == (20000,)
+    np.testing.assert_allclose(measured, 3.0, atol=2e-3)
+
+
+def test_robot_does_not_see_what_is_lower_than_its_range_finder(world):
+    low = Obstacle("kerb", Pose(1.0, 0.0), (0.2, 0.2, 0.05))
+    world.reset(setup(Pose(0.0, 0.0), obstacles=[low]))
+    assert world.ranges("r0", np.zeros(1), 10.0)[0] == pytest.approx(3.0, abs=2e-3)
+
+
+def test_wheels_turn_alike_on_the_spot(world):
+    """A solver that stopped too early let one wheel turn 4 % slower, the other 9 % faster."""
+    world.reset(setup(Pose(0.0, 0.0)))
+    world.command("r0", "base", Twist(0.0, 0.0, 1.0))
+    run(world, 2.0)
+    engine, body = world._engine, world._robots["r0"].body
+    states = engine.bullet.getJointStates(body, (0, 1), physicsClientId=engine.client)
+    expected = 1.0 * DIFF_DRIVE.track / 2 / DIFF_DRIVE.wheel_radius
+    assert states[0][1] == pytest.approx(-expected, rel=0.01)
+    assert states[1][1] == pytest.approx(expected, rel=0.01)
+
+
+def test_robots_keep_their_wheels_on_the_floor_in_a_long_scuffle(world):
+    starts = [Pose(0.45 * (i % 3) - 0.45, 0.45 * (i // 3) - 0.45, 2.4 * i) for i in range(9)]
+    world.reset(setup(*starts))
+    for tick in range(400):
+        for index in range(9):
+            world.command(f"r{index}", "base", Twist(0.5 * math.sin(0.05 * tick + index), 0.0, 2.0 * math.cos(index)))
+        world.step()
+    engine = world._engine
+    for robot in world._robots.values():
+        (_, _, z), quaternion = engine.bullet.getBasePositionAndOrientation(robot.body, physicsClientId=engine.client)
+        roll, pitch, _ = engine.bullet.getEulerFromQuaternion(quaternion)
+        assert z == pytest.approx(0.09, abs=0.02)
+        assert abs(roll) < 0.15
+        assert abs(pitch) < 0.15

@@ -1,0 +1,112 @@
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from rqt_mrta_py.errors import SimError
+from rqt_mrta_py.model import Pose
+from rqt_mrta_py.sim.messages import pose_of
+from rqt_mrta_py.sim.sensors import Odometry
+from tests.sim.doubles import ScriptedRandom, StillWorld
+from tests.sim.sensors.support import context
+
+EXACT = {"distance_error": 0.0, "turn_error": 0.0, "heading_error": 0.0, "heading_walk": 0.0}
+
+
+def drive(path, random=None, **parameters):
+    """Let odometry follow true poses, a tenth of a second apart; give its last message."""
+    sensor = Odometry(context("odometry", "odom", random=random, start=path[0], **parameters))
+    for index, truth in enumerate(path):
+        (outgoing,) = sensor.sense(1.0 + 0.1 * index, truth, StillWorld())
+    return outgoing
+
+
+def straight(length, steps=100, yaw=0.0):
+    return [Pose(math.cos(yaw) * length * i / steps, math.sin(yaw) * length * i / steps, yaw) for i in range(steps + 1)]
+
+
+def counted(outgoing):
+    return pose_of(outgoing.fields["pose"]["pose"])
+
+
+def test_odometry_begins_at_zero_wherever_its_robot_starts():
+    outgoing = drive([Pose(3.0, -2.0, 1.2)], **EXACT)
+    assert (outgoing.topic, outgoing.type) == ("odom", "nav_msgs/Odometry")
+    assert outgoing.fields["header"] == {"stamp": 1.0, "frame_id": "robot1/odom"}
+    assert outgoing.fields["child_frame_id"] == "robot1/base_link"
+    assert counted(outgoing) == Pose(0.0, 0.0, 0.0)
+    assert outgoing.fields["twist"]["twist"] == {"linear": {"x": 0.0}, "angular": {"z": 0.0}}
+
+
+def test_odometry_without_errors_counts_the_true_way_seen_from_its_start():
+    """A quarter circle of radius 2 m from heading pi/2 ends 2 m ahead and 2 m to the left, a quarter turn on."""
+    path = [
+        Pose(5.0 + 2.0 * math.cos(a) - 2.0, 1.0 + 2.0 * math.sin(a), a + math.pi / 2)
+        for a in np.linspace(0.0, math.pi / 2, 200).tolist()
+    ]
+    end = counted(drive(path, **EXACT))
+    assert (end.x, end.y) == (pytest.approx(2.0, abs=1e-3), pytest.approx(2.0, abs=1e-3))
+    assert end.yaw == pytest.approx(math.pi / 2)
+
+
+def test_odometry_tells_velocity_in_the_robots_own_frame():
+    twist = drive(straight(-3.0, steps=60, yaw=2.0), **EXACT).fields["twist"]["twist"]
+    assert twist["linear"]["x"] == pytest.approx(-0.5)
+    assert twist["angular"]["z"] == pytest.approx(0.0)
+
+
+def test_odometry_of_one_sigma_counts_33_millimetres_too_much_over_ten_metres():
+    end = counted(drive(straight(10.0), ScriptedRandom([1.0, 0.0, 0.0])))
+    assert (end.x, end.y, end.yaw) == (pytest.approx(10.033), pytest.approx(0.0), pytest.approx(0.0))
+
+
+def test_odometry_of_one_sigma_counts_seven_degrees_too_much_over_a_turn():
+    turn = [Pose(0.0, 0.0, 2 * math.pi * i / 100) for i in range(101)]
+    end = counted(drive(turn, ScriptedRandom([0.0, 1.0, 0.0])))
+    assert math.degrees(end.yaw) == pytest.approx(7.0)
+    assert (end.x, end.y) == (pytest.approx(0.0), pytest.approx(0.0))
+
+
+@pytest.mark.parametrize("length", [2.0, -2.0])
+def test_odometry_of_one_sigma_veers_two_degrees_a_metre_forth_and_back(length):
+    """Integrated over 2 m, 2 deg/m is a heading of 4 degrees and, as the reference says, 3.5 cm/m sideways."""
+    end = counted(drive(straight(length), ScriptedRandom([0.0, 0.0, 1.0])))
+    assert math.degrees(end.yaw) == pytest.approx(4.0)
+    assert abs(end.y) / 2.0 == pytest.approx(0.035, abs=0.001)
+
+
+def test_odometry_heading_walks_with_the_square_root_of_the_way():
+    """N(0, 0.005 sqrt|ds|) adds up to a deviation of 0.01 rad over 4 m, however many steps it takes."""
+    parameters = {**EXACT, "heading_walk": 0.005}
+    for steps in (4, 40):
+        ends = [
+            counted(drive(straight(4.0, steps), np.random.default_rng(seed), **parameters)).yaw for seed in range(600)
+        ]
+        assert np.std(ends) == pytest.approx(0.01, rel=0.1)
+        assert np.mean(ends) == pytest.approx(0.0, abs=0.002)
+
+
+def test_odometry_counts_nothing_when_pushed_sideways():
+    end = counted(drive([Pose(0.0, 0.1 * i, 0.0) for i in range(11)]))
+    assert end == Pose(0.0, 0.0, 0.0)
+
+
+def test_odometry_of_a_robot_at_rest_stays():
+    assert counted(drive([Pose(1.0, 2.0, 3.0)] * 50)) == Pose(0.0, 0.0, 0.0)
+
+
+def test_odometry_draws_its_biases_once():
+    """Two robots of one generator differ; each keeps its own error a metre over the whole way."""
+    random = np.random.default_rng(11)
+    parameters = {"heading_walk": 0.0, "heading_error": 0.0}
+    first, second = (counted(drive(straight(4.0), random, **parameters)).x for _ in range(2))
+    assert first != second
+    half = counted(drive(straight(2.0), np.random.default_rng(11), **parameters)).x
+    assert (half - 2.0) * 2 == pytest.approx(first - 4.0)
+
+
+def test_odometry_refuses_a_negative_error():
+    with pytest.raises(SimError, match=r"robot robot1: sensor odometry on odom: parameter turn_error: must be a number"):
+        drive([Pose(0.0, 0.0)], turn_error=-0.1)

@@ -1,0 +1,102 @@
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from rqt_mrta_py.errors import SimError
+from rqt_mrta_py.sim.sensors import RangeFinder
+from tests.sim.doubles import ScriptedRandom, StillWorld
+from tests.sim.sensors.support import START, context
+
+EXACT = {"noise": 0.0, "noise_per_metre": 0.0, "dropout": 0.0}
+
+
+def scan(seen, random=None, **parameters):
+    (outgoing,) = RangeFinder(context("range_finder", "scan", random=random, **parameters)).sense(
+        2.5, START, StillWorld(seen)
+    )
+    return outgoing
+
+
+def test_range_finder_publishes_a_laser_scan_in_the_frame_of_its_robot():
+    outgoing = scan([1.0], **EXACT)
+    assert (outgoing.topic, outgoing.type) == ("scan", "sensor_msgs/LaserScan")
+    assert outgoing.fields["header"] == {"stamp": 2.5, "frame_id": "robot1/base_link"}
+    assert outgoing.fields["scan_time"] == pytest.approx(0.1)
+    assert (outgoing.fields["range_min"], outgoing.fields["range_max"]) == (0.05, 4.0)
+    assert outgoing.fields["ranges"] == [1.0] * 36
+
+
+def test_range_finder_spreads_a_full_turn_without_a_last_ray_on_the_first():
+    fields = scan([1.0], rays=4, **EXACT).fields
+    assert fields["angle_min"] == pytest.approx(-math.pi)
+    assert fields["angle_increment"] == pytest.approx(math.pi / 2)
+    assert fields["angle_max"] == pytest.approx(math.pi / 2)
+
+
+def test_range_finder_spreads_a_fan_from_edge_to_edge():
+    fields = scan([1.0], rays=5, fov=2.0, **EXACT).fields
+    assert (fields["angle_min"], fields["angle_max"]) == (pytest.approx(-1.0), pytest.approx(1.0))
+    assert fields["angle_increment"] == pytest.approx(0.5)
+
+
+def test_range_finder_with_one_ray_looks_ahead():
+    fields = scan([1.0], rays=1, fov=1.0, **EXACT).fields
+    assert (fields["angle_min"], fields["angle_max"], fields["angle_increment"]) == (0.0, 0.0, 0.0)
+
+
+def test_range_finder_without_noise_tells_the_truth():
+    assert scan([0.5, 1.25, 3.0, 2.0], rays=4, **EXACT).fields["ranges"] == [0.5, 1.25, 3.0, 2.0]
+
+
+def test_range_finder_marks_what_is_beyond_its_reach_as_rep_117_says():
+    ranges = scan([0.04, 0.05, 4.0, 4.5, math.inf], rays=5, **EXACT).fields["ranges"]
+    assert ranges == [-math.inf, 0.05, 4.0, math.inf, math.inf]
+
+
+def test_range_finder_noise_grows_with_the_distance():
+    """With sigma = 0.01 + 0.02 r, one sigma at 1 m is 0.03 m, at 3 m 0.07 m."""
+    random = ScriptedRandom([1.0, 1.0, -1.0, 0.0])
+    ranges = scan([1.0, 3.0], random, rays=4, noise=0.01, noise_per_metre=0.02, dropout=0.0).fields["ranges"]
+    assert ranges == pytest.approx([1.03, 3.07, 0.97, 3.0])
+
+
+def test_range_finder_noise_has_the_deviation_asked_for():
+    ranges = scan([2.0], rays=20000, noise=0.01, noise_per_metre=0.01, dropout=0.0).fields["ranges"]
+    assert np.mean(ranges) == pytest.approx(2.0, abs=0.001)
+    assert np.std(ranges) == pytest.approx(0.03, rel=0.03)
+
+
+def test_range_finder_loses_the_share_of_rays_asked_for():
+    ranges = scan([2.0], rays=20000, noise=0.0, noise_per_metre=0.0, dropout=0.25).fields["ranges"]
+    assert np.mean(np.isposinf(ranges)) == pytest.approx(0.25, abs=0.02)
+
+
+def test_range_finder_draws_as_much_whatever_it_sees():
+    states = []
+    for seen in ([1.0], [math.inf], [0.01]):
+        random = np.random.default_rng(3)
+        scan(seen, random)
+        states.append(random.bit_generator.state)
+    assert states[0] == states[1] == states[2]
+
+
+def test_range_finder_tells_all_wrong_parameters_at_once():
+    with pytest.raises(SimError) as caught:
+        RangeFinder(context("range_finder", "scan", rays=0, dropout=1.5, noise="much", max_rnge=3.0, fov=-1.0))
+    where = "robot robot1: sensor range_finder on scan: parameter"
+    assert str(caught.value).splitlines() == [
+        f"{where} rays: must be a whole number of at least 1 (got 0)",
+        f"{where} fov: must be a number above 0, at most 6.28329 (got -1.0)",
+        f"{where} noise: must be a number at least 0 (got 'much')",
+        f"{where} dropout: must be a number at least 0, at most 1 (got 1.5)",
+        f"{where} max_rnge: unknown; did you mean max_range? there are: dropout, fov, max_range, min_range, noise, "
+        "noise_per_metre, rays",
+    ]
+
+
+def test_range_finder_must_reach_farther_than_it_begins():
+    with pytest.raises(SimError, match=r"parameter max_range: must be above min_range \(2\) \(got 1.0\)"):
+        RangeFinder(context("range_finder", "scan", min_range=2.0, max_range=1.0))
