@@ -112,7 +112,8 @@ class Stream:
 
     def busy(self, time: float, robot: str, task: str, stamp: Optional[float] = None) -> None:
         """A robot broadcasts what it does, as ALLIANCE's robots do."""
-        fields: Dict[str, Any] = {"header__frame_id": f"/{robot}", "header__stamp": time if stamp is None else stamp, "task_id": task}
+        sent = time if stamp is None else stamp
+        fields: Dict[str, Any] = {"header__frame_id": f"/{robot}", "header__stamp": sent, "task_id": task}
         self.say(time, COMMUNICATION, "", f"/{robot}/agent", **fields)
 
     def idle(self, time: float, robot: str, task: str = "patrol") -> None:
@@ -133,7 +134,8 @@ class Stream:
 
     def progress(self, time: float, task: str, robot: str, progress: Progress, caller: str = "") -> None:
         """A robot or an operator tells how a task goes."""
-        fields: Dict[str, Any] = {"task_id": task, "robot_id": robot, "progress": list(Progress).index(progress), "detail": ""}
+        code = list(Progress).index(progress)
+        fields: Dict[str, Any] = {"task_id": task, "robot_id": robot, "progress": code, "detail": ""}
         self.say(time, "/mrta/task_progress", "rqt_mrta_py/TaskProgress", caller, header__stamp=time, **fields)
 
     def every(self, period: float, start: float, end: float, *calls: Callable[[float], None]) -> None:

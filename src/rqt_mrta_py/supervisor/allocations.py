@@ -49,6 +49,8 @@ class AllocationBook:
         self._of_task: Dict[str, Dict[str, Hold]] = {}
         self._ended: Dict[int, Allocation] = {}
         self._signed: Dict[_Pair, float] = {}
+        self.expired: Dict[_Pair, Hold] = {}
+        self.unsettled = False
 
     def find(self, robot: str, task: str) -> Optional[Hold]:
         """Give the open allocation of a robot and a task; None if there is none."""
@@ -70,6 +72,37 @@ class AllocationBook:
         self._of_task.setdefault(task, {})[robot] = hold
         return hold
 
+    def expire(self, hold: Hold, due: float) -> None:
+        """Note when an allocation expired [s]."""
+        hold.expired = due
+        self.expired[hold.robot, hold.task] = hold
+
+    def hear(self, robot: str) -> None:
+        """Note that a robot was heard: how its expired allocations ended can now be settled."""
+        for hold in self.expired.values():
+            if hold.robot == robot:
+                hold.heard = self.unsettled = True
+
+    def to_settle(self) -> List[Hold]:
+        """List the expired allocations whose robots were heard since; they no longer count as unsettled."""
+        self.unsettled = False
+        return [hold for hold in self.expired.values() if hold.heard]
+
+    def ending(self, hold: Hold, taken: str = "") -> Outcome:
+        """Conclude how an expired allocation ended whose robot goes on.
+
+        Args:
+            hold: the allocation.
+            taken: id of the task that the robot takes now; empty if none.
+
+        Returns:
+            YIELDED if another robot holds the task, PREEMPTED if the robot has taken another task, else GAVE_UP.
+        """
+        if any(other.expired is None for other in self._of_task[hold.task].values()):
+            return Outcome.YIELDED
+        newer = any(other.order > hold.order for other in self._of_robot[hold.robot].values())
+        return Outcome.PREEMPTED if newer or taken not in ("", hold.task) else Outcome.GAVE_UP
+
     def end(self, hold: Hold, time: float, outcome: Outcome, signed: Optional[float] = None) -> None:
         """End an allocation.
 
@@ -79,6 +112,7 @@ class AllocationBook:
             outcome: how.
             signed: header stamp of the message that ended it, or when that was received [s]; None if none did.
         """
+        self.expired.pop((hold.robot, hold.task), None)
         del self._of_robot[hold.robot][hold.task]
         del self._of_task[hold.task][hold.robot]
         if time > hold.start:
@@ -96,6 +130,10 @@ class AllocationBook:
         """
         return 0.0 < stamp <= self._signed.get((robot, task), 0.0)
 
+    def holders(self, task: str) -> Tuple[str, ...]:
+        """List the ids of the robots that hold a task, sorted."""
+        return tuple(sorted(self._of_task.get(task, ())))
+
     def records(self, end: float) -> Tuple[Allocation, ...]:
         """List all allocations by start, then by the order in which they began; open ones end at a time [s]."""
         entries = dict(self._ended)
@@ -108,11 +146,14 @@ class AllocationBook:
         """Copy the book, so that the copy can go on by itself."""
         twin = AllocationBook()
         twin._count = self._count
+        twin.unsettled = self.unsettled
         twin._ended = dict(self._ended)
         twin._signed = dict(self._signed)
         holds = [hold for holds in self._of_robot.values() for hold in holds.values()]
         for hold in sorted(holds, key=lambda each: each.order):
             copied = copy.copy(hold)
+            if copied.expired is not None:
+                twin.expired[hold.robot, hold.task] = copied
             twin._of_robot.setdefault(hold.robot, {})[hold.task] = copied
             twin._of_task.setdefault(hold.task, {})[hold.robot] = copied
         return twin

@@ -92,7 +92,7 @@ def event_news(event: Event, started: float) -> Tuple[Outgoing, ...]:
     return (Outgoing("/mrta/event", "rqt_mrta_py/Event", fields), Outgoing("/rosout", "rosgraph_msgs/Log", log))
 
 
-def incident_news(incident: Incident, noticed: float, ended: bool) -> Outgoing:
+def incident_news(incident: Incident, noticed: float, ended: bool) -> Tuple[Outgoing, ...]:
     """Tell that an incident began or ended.
 
     Args:
@@ -113,7 +113,7 @@ def incident_news(incident: Incident, noticed: float, ended: bool) -> Outgoing:
         "evidence_stamps": [each.stamp for each in incident.evidence],
         "evidence_indices": [each.index for each in incident.evidence],
     }
-    return Outgoing("/mrta/incident", "rqt_mrta_py/Incident", fields)
+    return (Outgoing("/mrta/incident", "rqt_mrta_py/Incident", fields),)
 
 
 def team_news(record: MissionRecord, now: float) -> Outgoing:

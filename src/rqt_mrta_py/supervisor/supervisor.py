@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
+from functools import partial
 from typing import Callable, List, Mapping, Optional, Sequence, Set, Tuple
 
 from rqt_mrta_py.errors import HookError
 from rqt_mrta_py.hooks import (
-    EVERYTHING,
     AllocationInterpreter,
     Fact,
     Heard,
@@ -19,31 +19,14 @@ from rqt_mrta_py.hooks import (
     Subscription,
     TaskStateChanged,
 )
-from rqt_mrta_py.model import Event, Incident, Mission, MissionRecord, Progress, RobotState, normalise_id
+from rqt_mrta_py.model import Event, Incident, Mission, MissionRecord
 from rqt_mrta_py.supervisor.desk import Desk
+from rqt_mrta_py.supervisor.ears import Callback, Ears, Topics
 from rqt_mrta_py.supervisor.journal import event_of_fact, event_of_incident, event_of_unreadable
 from rqt_mrta_py.supervisor.news import event_news, fact_news, incident_news, team_news
-from rqt_mrta_py.supervisor.presence import Presence
-from rqt_mrta_py.supervisor.sources import (
-    STAMP,
-    Source,
-    allocation_sources,
-    robot_sources,
-    stamp_of,
-    task_sources,
-    text_of,
-)
-from rqt_mrta_py.supervisor.team import Report, Team, TeamSetup
+from rqt_mrta_py.supervisor.team import Team, TeamSetup
 
 __all__ = ["Supervisor"]
-
-_MINIMUM_SILENCE = 2.0
-_PROGRESS_TOPIC = "/mrta/task_progress"
-_PROGRESS_TYPE = "rqt_mrta_py/TaskProgress"
-_PROGRESS = tuple(Progress)
-_OPERATOR = frozenset({Progress.APPEARED, Progress.WITHDRAWN, Progress.REASSIGNED})
-
-_Callback = Callable[[Heard], None]
 
 
 class Supervisor:
@@ -73,43 +56,25 @@ class Supervisor:
         self._interpreter = interpreter
         self._statistics = statistics
         self._on_event = on_event
-        architecture = mission.architecture
-        self._busy = robot_sources(architecture.busy_robots)
-        self._idle = robot_sources(architecture.idle_robots)
-        self._allocated = allocation_sources(architecture)
-        self._busy_timeout = max((source.timeout for source in self._busy), default=0.0)
         self._rules = {name: factory(RuleSetup(mission)) for name, factory in sorted(rules.items())}
         self._desk = Desk(self._rules, self._on_opened, self._on_closed)
-        self._team = self._gather(0.0)
-        self._presence = self._attend()
+        topics = Topics(mission.architecture)
+        robots = tuple(robot.id for robot in mission.application.robots)
+        self._team = Team(TeamSetup(robots, mission.tasks, topics.silence), self._on_fact)
+        self._ears = Ears(topics, self._team, self._enter, self.report)
         self._start: Optional[float] = None
         self._message: Tuple[str, int] = ("", -1)
         self._time_of_fact = 0.0
         self._events: List[Event] = []
-        self._news: List[Outgoing] = []
+        # Built only if somebody asks: a review publishes nothing.
+        self._news: List[Callable[[], Tuple[Outgoing, ...]]] = []
         self._unreadable: Set[Tuple[str, str]] = set()
         self._finished: Optional[MissionRecord] = None
 
-    def listeners(self) -> Sequence[Tuple[Subscription, _Callback]]:
+    def listeners(self) -> Sequence[Tuple[Subscription, Callback]]:
         """Say what to hear, and who hears it; to be subscribed once, in this order."""
-        architecture = self._mission.architecture
-        pairs: List[Tuple[Subscription, _Callback]] = [(Subscription(EVERYTHING), self._hear_anything)]
-        pairs += [(source.subscription(), self._hears_robot(source, RobotState.BUSY)) for source in self._busy]
-        pairs += [(source.subscription(), self._hears_robot(source, RobotState.IDLE)) for source in self._idle]
-        pairs += [
-            (source.subscription(), self._hears_incoming(source))
-            for source in task_sources(architecture.incoming_tasks)
-        ]
-        pairs += [(source.subscription(), self._hears_allocated(source)) for source in self._allocated]
-        for topics, progress in (
-            (architecture.completed_tasks, Progress.DONE),
-            (architecture.failed_tasks, Progress.FAILED),
-        ):
-            pairs += [(source.subscription(), self._hears_end(source, progress)) for source in task_sources(topics)]
-        paths = ("task_id", "robot_id", "progress", "detail", STAMP)
-        pairs.append((Subscription(_PROGRESS_TOPIC, _PROGRESS_TYPE, paths), self._hear_progress))
-        if self._interpreter is not None:
-            pairs += [(wish, self._hear_sign) for wish in self._interpreter.subscriptions()]
+        pairs = self._ears.listeners()
+        pairs += self._ears.listeners_for(self._interpreter, self._mission.architecture.package)
         for name, rule in self._rules.items():
             pairs += [(wish, self._hears_rule(name)) for wish in rule.subscriptions()]
         return pairs
@@ -140,7 +105,7 @@ class Supervisor:
             return self._describe(self._team, None, ())
         end = self._team.now if now is None else max(now, self._team.now)
         team, events = self._team, self._events
-        if team.unsettled or team.agenda.next < end:
+        if team.book.unsettled or team.agenda.next < end:
             events = list(events)
             team = team.fork(_collector(events))
             team.settle()
@@ -168,31 +133,12 @@ class Supervisor:
 
     def news(self) -> Sequence[Outgoing]:
         """Give what changed since this was last asked, as messages to publish, in the order in which it was noticed."""
-        news, self._news = self._news, []
-        return news
+        unbuilt, self._news = self._news, []
+        return [message for build in unbuilt for message in build()]
 
     def team_state(self, now: float) -> Outgoing:
         """Give the whole team at a moment [s] as a message to publish."""
         return team_news(self.record(now), now)
-
-    # Time and order.
-
-    def _gather(self, start: float) -> Team:
-        silence = max([_MINIMUM_SILENCE, *(source.timeout for source in (*self._busy, *self._idle))])
-        hold = max([self._busy_timeout, *(source.timeout for source in self._allocated)])
-        robots = tuple(robot.id for robot in self._mission.application.robots)
-        return Team(TeamSetup(robots, self._mission.tasks, silence, hold or silence), self._on_fact, start)
-
-    def _attend(self) -> Presence:
-        naming = frozenset(source.topic.name for source in (*self._busy, *self._idle) if source.robot_path)
-        return Presence(self._team.robots, naming)
-
-    def _begin(self, start: float) -> None:
-        self._start = start
-        self._team = self._gather(start)
-        self._presence = self._attend()
-        self._time_of_fact = start
-        self._desk.begin(start)
 
     def _enter(self, heard: Heard) -> None:
         """Come to a message: once for each, whoever hears it first."""
@@ -200,10 +146,12 @@ class Supervisor:
         if message == self._message:
             return
         self._message = message
-        if self._start is None:
-            self._begin(heard.receipt)
         team = self._team
-        if team.unsettled:
+        if self._start is None:
+            self._start = self._time_of_fact = heard.receipt
+            team.begin(heard.receipt)
+            self._desk.begin(heard.receipt)
+        if team.book.unsettled:
             team.settle()
         if heard.receipt > team.now:
             self._pass(heard.receipt)
@@ -223,109 +171,18 @@ class Supervisor:
                 desk.wake_next()
         team.now = self._time_of_fact = until
 
-    # What is heard.
-
-    def _hear_anything(self, heard: Heard) -> None:
-        self._enter(heard)
-        robot = self._presence.owner(heard.topic, heard.caller)
-        if robot is not None:
-            self._team.hear(robot, heard)
-
-    def _hears_robot(self, source: Source, state: RobotState) -> _Callback:
-        timeout = source.timeout
-        # A busy message that names the task allocates it, unless its topic is listed for that by itself.
-        allocates = {(each.topic.name, each.topic.type) for each in self._allocated}
-        tells_task = (
-            state is RobotState.BUSY
-            and bool(source.task_path)
-            and (source.topic.name, source.topic.type) not in allocates
-        )
-
-        def hear(heard: Heard) -> None:
-            self._enter(heard)
-            robot = self._team.find_robot(source.robot_of(heard))
-            if robot is None:
-                return
-            self._team.hear(robot, heard)
-            self._team.renew(robot, state, timeout)
-            if tells_task:
-                self._team.allocate(source.task_of(heard), robot.id, timeout, stamp_of(heard), heard)
-
-        return hear
-
-    def _hears_incoming(self, source: Source) -> _Callback:
-        def hear(heard: Heard) -> None:
-            self._enter(heard)
-            self._team.appear(source.task_of(heard))
-
-        return hear
-
-    def _hears_allocated(self, source: Source) -> _Callback:
-        timeout = max(source.timeout, self._busy_timeout)
-
-        def hear(heard: Heard) -> None:
-            self._enter(heard)
-            robot_id = self._speaker(source.robot_of(heard), heard)
-            self._team.allocate(source.task_of(heard), robot_id, timeout, stamp_of(heard), heard)
-
-        return hear
-
-    def _hears_end(self, source: Source, progress: Progress) -> _Callback:
-        def hear(heard: Heard) -> None:
-            self._enter(heard)
-            robot_id = self._speaker(source.robot_of(heard), heard)
-            self._team.progress(Report(source.task_of(heard), robot_id, progress, stamp_of(heard)), heard)
-
-        return hear
-
-    def _hear_progress(self, heard: Heard) -> None:
-        self._enter(heard)
-        code = heard.fields["progress"]
-        if not 0 <= code < len(_PROGRESS):
-            self.report(heard, f"progress {code} is none of 0 to {len(_PROGRESS) - 1}")
-            return
-        progress = _PROGRESS[code]
-        task_id = normalise_id(text_of(heard.fields, "task_id"))
-        robot_id = normalise_id(text_of(heard.fields, "robot_id"))
-        if progress not in _OPERATOR:
-            robot_id = self._speaker(robot_id, heard)
-        detail = text_of(heard.fields, "detail")
-        self._team.progress(Report(task_id, robot_id, progress, stamp_of(heard), detail), heard)
-
-    def _hear_sign(self, heard: Heard) -> None:
-        self._enter(heard)
-        if self._interpreter is None:
-            return
-        try:
-            signs = self._interpreter.hear(heard)
-        except Exception as error:
-            name = self._mission.architecture.package
-            raise HookError(f"interpreter of {name}: {type(error).__name__}: {error}, hearing {heard.topic}") from error
-        for sign in signs:
-            self._team.sign(sign, stamp_of(heard), heard)
-
-    def _hears_rule(self, name: str) -> _Callback:
+    def _hears_rule(self, name: str) -> Callback:
         def hear(heard: Heard) -> None:
             self._enter(heard)
             self._desk.hear(name, heard)
 
         return hear
 
-    def _speaker(self, robot_id: str, heard: Heard) -> str:
-        """Count a robot as heard by a message that names it, unless somebody else is known to have sent it."""
-        if not heard.caller:
-            robot = self._team.find_robot(robot_id)
-            if robot is not None:
-                self._team.hear(robot, heard)
-        return robot_id
-
-    # What follows.
-
     def _on_fact(self, fact: Fact, why: str) -> None:
         robot = self._team.robots.get(getattr(fact, "robot", ""))
         last_heard = robot.last_heard if isinstance(fact, RobotStateChanged) and robot is not None else None
-        holders = self._team.holders(fact.task) if isinstance(fact, TaskStateChanged) else ()
-        self._news += fact_news(fact, last_heard, holders)
+        holders = self._team.book.holders(fact.task) if isinstance(fact, TaskStateChanged) else ()
+        self._news.append(partial(fact_news, fact, last_heard, holders))
         event = event_of_fact(fact, why)
         if event is not None:
             self._note(event, getattr(fact, "started", fact.time))
@@ -333,14 +190,14 @@ class Supervisor:
 
     def _on_opened(self, incident: Incident) -> None:
         self._note(event_of_incident(incident, self._time_of_fact), self._time_of_fact)
-        self._news.append(incident_news(incident, self._time_of_fact, ended=False))
+        self._news.append(partial(incident_news, incident, self._time_of_fact, ended=False))
 
     def _on_closed(self, incident: Incident) -> None:
-        self._news.append(incident_news(incident, self._time_of_fact, ended=True))
+        self._news.append(partial(incident_news, incident, self._time_of_fact, ended=True))
 
     def _note(self, event: Event, started: float) -> None:
         self._events.append(event)
-        self._news += event_news(event, started)
+        self._news.append(partial(event_news, event, started))
         self._on_event(event)
 
     def _describe(self, team: Team, end: Optional[float], events: Sequence[Event]) -> MissionRecord:

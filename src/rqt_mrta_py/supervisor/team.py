@@ -1,4 +1,4 @@
-"""The team: derives facts about robots, tasks and allocations from what messages say and from time passing."""
+"""The team: derives facts about robots, tasks and allocations, and how one thing leads to another."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from typing import Callable, Dict, Optional, Tuple
 
 from rqt_mrta_py.hooks import (
     AllocationEnded,
-    AllocationSign,
     AllocationStarted,
     Fact,
     Heard,
@@ -20,7 +19,6 @@ from rqt_mrta_py.model import (
     Allocation,
     Evidence,
     Outcome,
-    Progress,
     RobotRecord,
     RobotState,
     Task,
@@ -32,7 +30,7 @@ from rqt_mrta_py.supervisor.allocations import AllocationBook, Hold
 from rqt_mrta_py.supervisor.robots import RobotWatch
 from rqt_mrta_py.supervisor.tasks import TaskWatch, state_when_held
 
-__all__ = ["Report", "Team", "TeamSetup"]
+__all__ = ["Team", "TeamSetup"]
 
 
 @dataclass(frozen=True)
@@ -43,77 +41,59 @@ class TeamSetup:
         robots: ids of the team; if empty, robots are admitted by first sight.
         tasks: known at the start; if empty, tasks are admitted by first sight.
         silence: how long a robot says nothing on any topic until it counts as lost [s].
-        hold: how long a sign keeps an allocation going [s].
     """
 
     robots: Tuple[str, ...]
     tasks: Tuple[Task, ...]
     silence: float
-    hold: float
-
-
-@dataclass(frozen=True)
-class Report:
-    """How a task goes, or what an operator wants of it.
-
-    Attributes:
-        task: its id.
-        robot: normalised id of who carries it out, or of whom it shall go to; empty if nobody is named.
-        progress: what is told.
-        stamp: the message's header stamp [s]; 0 if it has none.
-        detail: why, in a few words.
-    """
-
-    task: str
-    robot: str
-    progress: Progress
-    stamp: float
-    detail: str = ""
-
-
-def _evidence(heard: Heard) -> Evidence:
-    """Point at a message."""
-    return Evidence(heard.topic, heard.receipt, heard.ordinal)
 
 
 class Team:
     """What is known of all robots, tasks and allocations at ``now``.
 
-    Whoever drives it sets ``now`` to the newest time of receipt, after calling ``expire`` for everything on
-    ``agenda`` that falls due before it; so a message received exactly when something falls due comes first. Between
-    two messages it calls ``settle`` where ``unsettled``.
+    Whoever drives it calls ``begin`` once, then for each message: ``settle`` where there is something to settle,
+    ``expire`` for everything on the agenda that falls due before the message, and sets ``now``. So a message
+    received exactly when something falls due comes first.
 
     An allocation that expires is over then, but how it ended shows only later: when the robot is heard again, or
-    falls silent. Its end is dated back, so these facts alone may carry a time before that of the facts before them.
+    falls silent. Its end is dated back, so such facts alone may carry a time before that of the facts before them.
 
     Args:
         setup: who and what is watched.
         emit: takes each fact, and why it is so in a few words, or an empty text.
-        start: of the stream [s].
     """
 
-    def __init__(
-        self,
-        setup: TeamSetup,
-        emit: Callable[[Fact, str], None],
-        start: float,
-    ) -> None:
+    def __init__(self, setup: TeamSetup, emit: Callable[[Fact, str], None]) -> None:
         self._setup = setup
         self._emit = emit
-        self._start = start
-        self.now = start
+        self._start = 0.0
+        self.now = 0.0
         self.agenda = Agenda()
-        self.unsettled = False
-        self._expired: Dict[Tuple[str, str], Hold] = {}
-        self._book = AllocationBook()
         self.robots: Dict[str, RobotWatch] = {}
-        for robot_id in setup.robots:
-            self.robots[robot_id] = RobotWatch(robot_id, len(self.robots), start)
-        self._tasks: Dict[str, TaskWatch] = {}
-        for task in setup.tasks:
-            self._tasks[task.id] = TaskWatch(task.id, len(self._tasks), start, task.robots)
+        self.tasks: Dict[str, TaskWatch] = {}
+        self.book = AllocationBook()
 
-    # What messages say.
+    def begin(self, start: float) -> None:
+        """Begin with the time of the stream's first message [s]."""
+        self._start = self.now = start
+        for robot_id in self._setup.robots:
+            self.robots[robot_id] = RobotWatch(robot_id, len(self.robots), start)
+        for task in self._setup.tasks:
+            self.tasks[task.id] = TaskWatch(task.id, len(self.tasks), start, task.robots)
+
+    def find_robot(self, robot_id: str) -> Optional[RobotWatch]:
+        """Give a robot by its normalised id, admitting it where the team is open; None if it is not of the team."""
+        robot = self.robots.get(robot_id)
+        if robot is None and robot_id and not self._setup.robots:
+            robot = self.robots[robot_id] = RobotWatch(robot_id, len(self.robots), self._start)
+        return robot
+
+    def find_task(self, task_id: str) -> Optional[TaskWatch]:
+        """Give a task by its id, admitting it where no tasks were listed; None if it is not of the mission."""
+        task = self.tasks.get(task_id)
+        if task is None and task_id and not self._setup.tasks:
+            task = self._admit_task(task_id)
+        return task
 
     def hear(self, robot: RobotWatch, heard: Heard) -> None:
         """Take in that a message of a robot came, on whatever topic."""
@@ -122,18 +102,9 @@ class Team:
         if robot.silent:
             robot.silent = False
             self.agenda.put(due_after(self.now, self._setup.silence), robot.order, (Due.SILENCE, robot.id, ""))
-            self._emit(RobotHeard(self.now, robot.id, _evidence(heard)), "")
-        if self._expired:
-            for hold in self._book.of_robot(robot.id):
-                if hold.expired is not None:
-                    hold.heard = self.unsettled = True
-
-    def find_robot(self, robot_id: str) -> Optional[RobotWatch]:
-        """Give a robot by its normalised id, admitting it where the team is open; None if it is not of the team."""
-        robot = self.robots.get(robot_id)
-        if robot is None and robot_id and not self._setup.robots:
-            robot = self.robots[robot_id] = RobotWatch(robot_id, len(self.robots), self._start)
-        return robot
+            self._emit(RobotHeard(self.now, robot.id, evidence(heard)), "")
+        if self.book.expired:
+            self.book.hear(robot.id)
 
     def renew(self, robot: RobotWatch, state: RobotState, timeout: float) -> None:
         """Take in that a robot is busy or idle now, and for how long this counts [s]."""
@@ -144,98 +115,109 @@ class Team:
 
     def appear(self, task_id: str) -> None:
         """Take in that a task has arrived; one that had ended begins anew."""
-        task = self._tasks.get(task_id)
-        if task is None:
-            if task_id:
-                self._admit_task(task_id)
-                self._emit(TaskStateChanged(self.now, task_id, TaskState.WAITING, TaskState.WAITING), "")
-        elif task.ended:
-            self._change_task(task, TaskState.WAITING, self.now)
+        task = self.tasks.get(task_id)
+        if task is not None:
+            if task.ended:
+                self.change_task(task, TaskState.WAITING)
+        elif task_id:
+            self._admit_task(task_id)
+            self._emit(TaskStateChanged(self.now, task_id, TaskState.WAITING, TaskState.WAITING), "")
 
-    def allocate(self, task_id: str, robot_id: str, timeout: float, stamp: float, heard: Heard) -> None:
-        """Take in that a task is allocated.
+    def change_task(self, task: TaskWatch, after: TaskState, why: str = "", time: Optional[float] = None) -> None:
+        """Let a task's state change.
 
         Args:
-            task_id: its id.
-            robot_id: normalised id of who holds it; empty if the message names nobody.
-            timeout: how long this counts [s].
-            stamp: the message's header stamp [s]; 0 if it has none.
-            heard: the message.
+            task: whose.
+            after: the new state.
+            why: in a few words.
+            time: when it changed [s]; now by default.
         """
-        task = self._find_task(task_id)
-        if task is None or task.ended:
+        before = task.state
+        changed = task.timeline.change(after, self.now if time is None else time)
+        self._emit(TaskStateChanged(changed, task.id, before, after), why)
+
+    def update_task(self, task: TaskWatch, time: Optional[float] = None) -> None:
+        """Derive a task's state from who holds it, unless it has ended.
+
+        Args:
+            task: whose.
+            time: since when it is so [s]; now by default.
+        """
+        if task.ended:
             return
-        if not robot_id:
-            task.anonymous_until = max(task.anonymous_until, due_after(self.now, timeout))
-            self.agenda.put(task.anonymous_until, task.order, (Due.ALLOCATION, "", task_id))
-            self._update_task(task, self.now)
-            return
-        robot = self.find_robot(robot_id)
-        if robot is None or self._book.is_late(robot_id, task_id, stamp):
-            return
-        for expired in self._book.of_robot(robot_id):
+        time = self.now if time is None else time
+        # An expired allocation leaves the task as it is until it is known how it ended.
+        executing = task.state is TaskState.EXECUTING
+        holders = (
+            RobotState.BUSY if executing and hold.expired is not None else self.robots[hold.robot].state
+            for hold in self.book.of_task(task.id)
+        )
+        after = state_when_held(holders, task.anonymous_until > time)
+        if after is not task.state:
+            self.change_task(task, after, time=time)
+
+    def hold_anonymously(self, task: TaskWatch, timeout: float) -> None:
+        """Take in that somebody holds a task, nobody knows who, and for how long this counts [s]."""
+        task.anonymous_until = max(task.anonymous_until, due_after(self.now, timeout))
+        self.agenda.put(task.anonymous_until, task.order, (Due.ALLOCATION, "", task.id))
+        self.update_task(task)
+
+    def hold(self, robot: RobotWatch, task: TaskWatch, timeout: float, heard: Heard) -> None:
+        """Take in that a robot holds a task, and for how long this counts [s].
+
+        Args:
+            robot: who.
+            task: what.
+            timeout: [s].
+            heard: the message that says so.
+        """
+        for expired in self.book.of_robot(robot.id):
             if expired.expired is not None:
-                self._settle(expired, taken=task_id)
-        hold = self._book.find(robot_id, task_id)
+                self._settle(expired, task.id)
+        hold = self.book.find(robot.id, task.id)
         if hold is not None:
-            self._prolong(hold, timeout, heard)
+            self.prolong(hold, timeout, heard)
             return
         until = due_after(self.now, timeout)
-        hold = self._book.open(robot_id, task_id, self.now, until, _evidence(heard))
-        self.agenda.put(until, hold.order, (Due.ALLOCATION, robot_id, task_id))
-        self._emit(AllocationStarted(self.now, robot_id, task_id, hold.last), "")
-        self._update_task(task, self.now)
+        hold = self.book.open(robot.id, task.id, self.now, until, evidence(heard))
+        self.agenda.put(until, hold.order, (Due.ALLOCATION, robot.id, task.id))
+        self._emit(AllocationStarted(self.now, robot.id, task.id, hold.last), "")
+        self.update_task(task)
 
-    def sign(self, sign: AllocationSign, stamp: float, heard: Heard) -> None:
-        """Take in what an architecture's own message says of an allocation.
+    def prolong(self, hold: Hold, timeout: float, heard: Heard) -> None:
+        """Keep an allocation going for a while [s], unless it has expired."""
+        if hold.expired is None:
+            hold.until = max(hold.until, due_after(self.now, timeout))
+            hold.last = evidence(heard)
 
-        Args:
-            sign: what it says; of an allocation that is not open nothing follows.
-            stamp: the message's header stamp [s]; 0 if it has none.
-            heard: the message.
-        """
-        hold = self._book.find(sign.robot, sign.task)
-        if hold is None:
-            return
-        if sign.outcome is None:
-            self._prolong(hold, self._setup.hold, heard)
-            return
-        self._end(hold, self.now, sign.outcome, sign.text, stamp or self.now)
-        if sign.outcome is Outcome.DONE and not self._book.of_task(sign.task):
-            self._change_task(self._tasks[sign.task], TaskState.DONE, self.now, sign.text)
-        else:
-            self._update_task(self._tasks[sign.task], self.now)
-
-    def progress(self, report: Report, heard: Heard) -> None:
-        """Take in how a task goes, or what an operator wants of it.
+    def end(
+        self,
+        hold: Hold,
+        outcome: Outcome,
+        why: str = "",
+        *,
+        time: Optional[float] = None,
+        signed: Optional[float] = None,
+    ) -> None:
+        """End an allocation; one that has expired ended then, unless its robot is lost.
 
         Args:
-            report: what is told.
-            heard: the message.
+            hold: one that is open.
+            outcome: how it ended.
+            why: in a few words.
+            time: when it ended [s]; now by default.
+            signed: header stamp of the message that says so, or when it was received [s]; None if none says so.
         """
-        if report.progress is Progress.APPEARED:
-            self.appear(report.task)
-            return
-        task = self._find_task(report.task)
-        if task is None:
-            return
-        hold = self._book.find(report.robot, report.task)
-        if report.progress is Progress.RUNNING:
-            if hold is not None:
-                self._prolong(hold, self._setup.hold, heard)
-        elif report.progress is Progress.UNREACHABLE:
-            if hold is not None:
-                self._end(hold, self.now, Outcome.FAILED, report.detail, report.stamp or self.now)
-                self._update_task(task, self.now)
-        elif report.progress is Progress.REASSIGNED:
-            for other in self._book.of_task(report.task):
-                if other is not hold:
-                    self._end(other, self.now, Outcome.PREEMPTED, report.detail, report.stamp or self.now)
-            self._update_task(task, self.now)
-        else:
-            self._finish_task(task, report)
+        if hold.expired is not None and outcome is not Outcome.LOST:
+            time = hold.expired
+        time = self.now if time is None else time
+        self.book.end(hold, time, outcome, signed)
+        self._emit(AllocationEnded(time, hold.robot, hold.task, hold.start, outcome, hold.last), why)
 
-    # What time passing says.
+    def settle(self) -> None:
+        """Say how the expired allocations ended whose robots were heard since."""
+        for hold in self.book.to_settle():
+            self._settle(hold)
 
     def expire(self) -> None:
         """Let happen what falls due first on the agenda."""
@@ -247,20 +229,7 @@ class Team:
         elif robot_id:
             self._expire_hold(robot_id, task_id, due)
         else:
-            self._expire_anonymous(self._tasks[task_id], due)
-
-    def settle(self) -> None:
-        """Say how the expired allocations ended whose robots were heard since."""
-        self.unsettled = False
-        for hold in list(self._expired.values()):
-            if hold.heard:
-                self._settle(hold)
-
-    # What is known.
-
-    def holders(self, task_id: str) -> Tuple[str, ...]:
-        """List the ids of the robots that hold a task, sorted."""
-        return tuple(sorted(hold.robot for hold in self._book.of_task(task_id)))
+            self._expire_anonymous(self.tasks[task_id], due)
 
     def robot_records(self, end: float) -> Tuple[RobotRecord, ...]:
         """Give all robots up to a time [s], in the application's order, then by first sight."""
@@ -268,11 +237,11 @@ class Team:
 
     def task_records(self, end: float) -> Tuple[TaskRecord, ...]:
         """Give all tasks up to a time [s], in the mission's order, then by first sight."""
-        return tuple(task.record(end) for task in self._tasks.values())
+        return tuple(task.record(end) for task in self.tasks.values())
 
     def allocation_records(self, end: float) -> Tuple[Allocation, ...]:
         """Give all allocations up to a time [s], by start, then by the order in which they began."""
-        return self._book.records(end)
+        return self.book.records(end)
 
     def fork(self, emit: Callable[[Fact, str], None]) -> Team:
         """Copy the team, so that the copy can go on by itself.
@@ -280,91 +249,32 @@ class Team:
         Args:
             emit: takes the facts that the copy derives.
         """
-        twin = Team(self._setup, emit, self._start)
-        twin.now, twin.unsettled = self.now, self.unsettled
+        twin = Team(self._setup, emit)
+        twin._start, twin.now = self._start, self.now
         twin.agenda = self.agenda.fork()
         twin.robots = {robot_id: robot.fork() for robot_id, robot in self.robots.items()}
-        twin._tasks = {task_id: task.fork() for task_id, task in self._tasks.items()}
-        twin._book = self._book.fork()
-        for robot, task in self._expired:
-            hold = twin._book.find(robot, task)
-            if hold is not None:
-                twin._expired[robot, task] = hold
+        twin.tasks = {task_id: task.fork() for task_id, task in self.tasks.items()}
+        twin.book = self.book.fork()
         return twin
 
-    # How one thing leads to another.
-
-    def _find_task(self, task_id: str) -> Optional[TaskWatch]:
-        task = self._tasks.get(task_id)
-        if task is None and task_id and not self._setup.tasks:
-            task = self._admit_task(task_id)
-        return task
-
     def _admit_task(self, task_id: str) -> TaskWatch:
-        task = self._tasks[task_id] = TaskWatch(task_id, len(self._tasks), self.now)
+        task = self.tasks[task_id] = TaskWatch(task_id, len(self.tasks), self.now)
         return task
 
     def _change_robot(self, robot: RobotWatch, after: RobotState, time: float) -> None:
         before = robot.state
         time = robot.timeline.change(after, time)
         self._emit(RobotStateChanged(time, robot.id, before, after), "")
-        for hold in self._book.of_robot(robot.id):
-            self._update_task(self._tasks[hold.task], time)
-
-    def _change_task(self, task: TaskWatch, after: TaskState, time: float, why: str = "") -> None:
-        before = task.state
-        time = task.timeline.change(after, time)
-        self._emit(TaskStateChanged(time, task.id, before, after), why)
-
-    def _update_task(self, task: TaskWatch, time: float) -> None:
-        if task.ended:
-            return
-        # An expired allocation leaves the task as it is until it is known how it ended.
-        executing = task.state is TaskState.EXECUTING
-        holders = (
-            RobotState.BUSY if executing and hold.expired is not None else self.robots[hold.robot].state
-            for hold in self._book.of_task(task.id)
-        )
-        after = state_when_held(holders, task.anonymous_until > time)
-        if after is not task.state:
-            self._change_task(task, after, time)
-
-    def _finish_task(self, task: TaskWatch, report: Report) -> None:
-        outcome, after = _ENDINGS[report.progress]
-        if not task.allows(after):
-            return
-        together = not report.robot or (task.robots or 1) > 1
-        for hold in self._book.of_task(task.id):
-            own = together or hold.robot == report.robot
-            told = outcome if own else Outcome.PREEMPTED
-            self._end(hold, self.now, told, report.detail, report.stamp or self.now)
-        task.anonymous_until = self.now
-        self._change_task(task, after, self.now, report.detail)
-
-    def _prolong(self, hold: Hold, timeout: float, heard: Heard) -> None:
-        if hold.expired is None:
-            hold.until = max(hold.until, due_after(self.now, timeout))
-            hold.last = _evidence(heard)
-
-    def _end(self, hold: Hold, time: float, outcome: Outcome, why: str = "", signed: Optional[float] = None) -> None:
-        self._expired.pop((hold.robot, hold.task), None)
-        if hold.expired is not None and outcome is not Outcome.LOST:
-            time = hold.expired
-        self._book.end(hold, time, outcome, signed)
-        self._emit(AllocationEnded(time, hold.robot, hold.task, hold.start, outcome, hold.last), why)
+        for hold in self.book.of_robot(robot.id):
+            self.update_task(self.tasks[hold.task], time)
 
     def _settle(self, hold: Hold, taken: str = "") -> None:
-        others = [other for other in self._book.of_task(hold.task) if other.expired is None]
-        newer = [other for other in self._book.of_robot(hold.robot) if other.order > hold.order]
-        if others:
-            outcome = Outcome.YIELDED
-        elif newer or taken not in ("", hold.task):
-            outcome = Outcome.PREEMPTED
-        else:
-            outcome = Outcome.GAVE_UP
-        time = self.now if hold.expired is None else hold.expired
-        self._end(hold, time, outcome)
-        self._update_task(self._tasks[hold.task], time)
+        self.end(hold, self.book.ending(hold, taken))
+        self.update_task(self.tasks[hold.task], hold.expired)
+
+    def _lose(self, hold: Hold, due: float) -> None:
+        self.end(hold, Outcome.LOST, time=due)
+        self.update_task(self.tasks[hold.task], due)
 
     def _expire_state(self, robot: RobotWatch, due: float) -> None:
         if robot.fresh_until == due:
@@ -380,33 +290,28 @@ class Team:
             self.agenda.put(until, robot.order, (Due.SILENCE, robot.id, ""))
             return
         robot.silent = True
-        self._emit(RobotSilent(due, robot.id, _evidence(robot.last_message)), "")
-        for hold in self._book.of_robot(robot.id):
-            self._end(hold, due, Outcome.LOST)
-            self._update_task(self._tasks[hold.task], due)
+        self._emit(RobotSilent(due, robot.id, evidence(robot.last_message)), "")
+        for hold in self.book.of_robot(robot.id):
+            self._lose(hold, due)
 
     def _expire_hold(self, robot_id: str, task_id: str, due: float) -> None:
-        hold = self._book.find(robot_id, task_id)
+        hold = self.book.find(robot_id, task_id)
         if hold is None or hold.expired is not None:
             return
         if hold.until > due:
             self.agenda.put(hold.until, hold.order, (Due.ALLOCATION, robot_id, task_id))
         elif self.robots[robot_id].silent:
-            self._end(hold, due, Outcome.LOST)
-            self._update_task(self._tasks[task_id], due)
+            self._lose(hold, due)
         else:
-            hold.expired = due
-            self._expired[robot_id, task_id] = hold
+            self.book.expire(hold, due)
 
     def _expire_anonymous(self, task: TaskWatch, due: float) -> None:
         if task.anonymous_until > due:
             self.agenda.put(task.anonymous_until, task.order, (Due.ALLOCATION, "", task.id))
         else:
-            self._update_task(task, due)
+            self.update_task(task, due)
 
 
-_ENDINGS = {
-    Progress.DONE: (Outcome.DONE, TaskState.DONE),
-    Progress.FAILED: (Outcome.FAILED, TaskState.FAILED),
-    Progress.WITHDRAWN: (Outcome.PREEMPTED, TaskState.WITHDRAWN),
-}
+def evidence(heard: Heard) -> Evidence:
+    """Point at a message."""
+    return Evidence(heard.topic, heard.receipt, heard.ordinal)

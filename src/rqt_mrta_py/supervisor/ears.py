@@ -1,0 +1,212 @@
+"""The supervisor's ears: which topics to hear, and what each of their messages tells the team."""
+
+from __future__ import annotations
+
+from typing import Callable, FrozenSet, List, Optional, Sequence, Tuple
+
+from rqt_mrta_py.errors import HookError
+from rqt_mrta_py.hooks import EVERYTHING, AllocationInterpreter, Heard, Subscription
+from rqt_mrta_py.model import ArchitectureSpec, Progress, RobotState, normalise_id
+from rqt_mrta_py.supervisor.presence import Presence
+from rqt_mrta_py.supervisor.sources import (
+    STAMP,
+    Source,
+    allocation_sources,
+    robot_sources,
+    task_sources,
+    text_of,
+)
+from rqt_mrta_py.supervisor.statements import Report, Statements
+from rqt_mrta_py.supervisor.team import Team
+
+__all__ = ["Callback", "Ears", "Topics"]
+
+Callback = Callable[[Heard], None]
+
+_MINIMUM_SILENCE = 2.0
+_PROGRESS_TOPIC = "/mrta/task_progress"
+_PROGRESS_TYPE = "rqt_mrta_py/TaskProgress"
+_PROGRESS = tuple(Progress)
+_OPERATOR = frozenset({Progress.APPEARED, Progress.WITHDRAWN, Progress.REASSIGNED})
+
+
+class Topics:
+    """An architecture's monitored topics, ready to be read.
+
+    Args:
+        architecture: declares them.
+    """
+
+    def __init__(self, architecture: ArchitectureSpec) -> None:
+        self.busy = robot_sources(architecture.busy_robots)
+        self.idle = robot_sources(architecture.idle_robots)
+        self.incoming = task_sources(architecture.incoming_tasks)
+        self.allocated = allocation_sources(architecture)
+        self.completed = task_sources(architecture.completed_tasks)
+        self.failed = task_sources(architecture.failed_tasks)
+
+    @property
+    def silence(self) -> float:
+        """How long a robot says nothing on any topic until it counts as lost [s]."""
+        return max([_MINIMUM_SILENCE, *(source.timeout for source in (*self.busy, *self.idle))])
+
+    @property
+    def busy_timeout(self) -> float:
+        """How long a busy message counts at most [s]; an allocated message counts no shorter."""
+        return max((source.timeout for source in self.busy), default=0.0)
+
+    @property
+    def hold(self) -> float:
+        """How long a sign keeps an allocation going [s]."""
+        return max((source.timeout for source in (*self.busy, *self.allocated)), default=_MINIMUM_SILENCE)
+
+    @property
+    def naming(self) -> FrozenSet[str]:
+        """Topics whose messages name the robot that speaks."""
+        return frozenset(source.topic.name for source in (*self.busy, *self.idle) if source.robot_path)
+
+
+class Ears:
+    """Turns messages into what the team is told.
+
+    Args:
+        topics: what to hear of the architecture.
+        team: who is told.
+        enter: called with each message first, perhaps repeatedly; lets time pass up to it.
+        report: takes a message that makes no sense, and why.
+    """
+
+    def __init__(
+        self,
+        topics: Topics,
+        team: Team,
+        enter: Callable[[Heard], None],
+        report: Callable[[Heard, str], None],
+    ) -> None:
+        self._topics = topics
+        self._team = team
+        self._enter = enter
+        self._report = report
+        self._statements = Statements(team, topics.hold)
+        self._presence = Presence(team.robots, topics.naming)
+
+    def listeners(self) -> List[Tuple[Subscription, Callback]]:
+        """Say what to hear, and who hears it, in the order in which one message shall be taken in."""
+        topics = self._topics
+        pairs: List[Tuple[Subscription, Callback]] = [(Subscription(EVERYTHING), self._hear_anything)]
+        pairs += [(source.subscription(), self._hears_busy(source)) for source in topics.busy]
+        pairs += [(source.subscription(), self._hears_idle(source)) for source in topics.idle]
+        pairs += [(source.subscription(), self._hears_incoming(source)) for source in topics.incoming]
+        pairs += [(source.subscription(), self._hears_allocated(source)) for source in topics.allocated]
+        pairs += [(source.subscription(), self._hears_end(source, Progress.DONE)) for source in topics.completed]
+        pairs += [(source.subscription(), self._hears_end(source, Progress.FAILED)) for source in topics.failed]
+        paths = ("task_id", "robot_id", "progress", "detail", STAMP)
+        pairs.append((Subscription(_PROGRESS_TOPIC, _PROGRESS_TYPE, paths), self._hear_progress))
+        return pairs
+
+    def listeners_for(
+        self, interpreter: Optional[AllocationInterpreter], architecture: str
+    ) -> Sequence[Tuple[Subscription, Callback]]:
+        """Say what an interpreter wants to hear, and who hears it for it.
+
+        Args:
+            interpreter: reads the architecture's own signs; None if it has none.
+            architecture: its package, for errors.
+        """
+        if interpreter is None:
+            return ()
+        reads = interpreter
+
+        def hear(heard: Heard) -> None:
+            self._enter(heard)
+            try:
+                signs = reads.hear(heard)
+            except Exception as error:
+                what = f"{type(error).__name__}: {error}"
+                raise HookError(f"interpreter of {architecture}: {what}, hearing {heard.topic}") from error
+            for sign in signs:
+                self._statements.signed(sign, heard)
+
+        return [(subscription, hear) for subscription in interpreter.subscriptions()]
+
+    def _hear_anything(self, heard: Heard) -> None:
+        self._enter(heard)
+        robot = self._presence.owner(heard.topic, heard.caller)
+        if robot is not None:
+            self._team.hear(robot, heard)
+
+    def _hears_busy(self, source: Source) -> Callback:
+        # A busy message that names the task allocates it, unless its topic is listed for that by itself.
+        listed = {(each.topic.name, each.topic.type) for each in self._topics.allocated}
+        allocates = bool(source.task_path) and (source.topic.name, source.topic.type) not in listed
+        timeout = source.timeout
+        hold = self._topics.busy_timeout
+
+        def hear(heard: Heard) -> None:
+            self._enter(heard)
+            robot = self._team.find_robot(source.robot_of(heard))
+            if robot is not None:
+                self._team.hear(robot, heard)
+                self._team.renew(robot, RobotState.BUSY, timeout)
+                if allocates:
+                    self._statements.allocated(source.task_of(heard), robot.id, hold, heard)
+
+        return hear
+
+    def _hears_idle(self, source: Source) -> Callback:
+        timeout = source.timeout
+
+        def hear(heard: Heard) -> None:
+            self._enter(heard)
+            robot = self._team.find_robot(source.robot_of(heard))
+            if robot is not None:
+                self._team.hear(robot, heard)
+                self._team.renew(robot, RobotState.IDLE, timeout)
+
+        return hear
+
+    def _hears_incoming(self, source: Source) -> Callback:
+        def hear(heard: Heard) -> None:
+            self._enter(heard)
+            self._team.appear(source.task_of(heard))
+
+        return hear
+
+    def _hears_allocated(self, source: Source) -> Callback:
+        timeout = max(source.timeout, self._topics.busy_timeout)
+
+        def hear(heard: Heard) -> None:
+            self._enter(heard)
+            robot_id = source.robot_of(heard)
+            self._hear_speaker(robot_id, heard)
+            self._statements.allocated(source.task_of(heard), robot_id, timeout, heard)
+
+        return hear
+
+    def _hears_end(self, source: Source, progress: Progress) -> Callback:
+        def hear(heard: Heard) -> None:
+            self._enter(heard)
+            robot_id = source.robot_of(heard)
+            self._hear_speaker(robot_id, heard)
+            self._statements.reported(Report(source.task_of(heard), robot_id, progress), heard)
+
+        return hear
+
+    def _hear_progress(self, heard: Heard) -> None:
+        self._enter(heard)
+        code = heard.fields["progress"]
+        if not 0 <= code < len(_PROGRESS):
+            self._report(heard, f"progress is {code}; accepted is 0 to {len(_PROGRESS) - 1}")
+            return
+        robot_id = normalise_id(text_of(heard.fields, "robot_id"))
+        if _PROGRESS[code] not in _OPERATOR:
+            self._hear_speaker(robot_id, heard)
+        task_id = normalise_id(text_of(heard.fields, "task_id"))
+        detail = text_of(heard.fields, "detail")
+        self._statements.reported(Report(task_id, robot_id, _PROGRESS[code], detail), heard)
+
+    def _hear_speaker(self, robot_id: str, heard: Heard) -> None:
+        """Count the robot that a message names as heard, unless somebody is known to have sent it."""
+        robot = None if heard.caller else self._team.find_robot(robot_id)
+        if robot is not None:
+            self._team.hear(robot, heard)

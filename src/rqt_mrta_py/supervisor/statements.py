@@ -1,0 +1,130 @@
+"""What messages state about tasks and allocations, and what follows for the team."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rqt_mrta_py.hooks import AllocationSign, Heard
+from rqt_mrta_py.model import Outcome, Progress, TaskState
+from rqt_mrta_py.supervisor.sources import stamp_of
+from rqt_mrta_py.supervisor.tasks import TaskWatch
+from rqt_mrta_py.supervisor.team import Team
+
+__all__ = ["Report", "Statements"]
+
+_ENDINGS = {
+    Progress.DONE: (Outcome.DONE, TaskState.DONE),
+    Progress.FAILED: (Outcome.FAILED, TaskState.FAILED),
+    Progress.WITHDRAWN: (Outcome.PREEMPTED, TaskState.WITHDRAWN),
+}
+
+
+@dataclass(frozen=True)
+class Report:
+    """How a task goes, or what an operator wants of it.
+
+    Attributes:
+        task: its id.
+        robot: normalised id of who carries it out, or of whom it shall go to; empty if nobody is named.
+        progress: what is told.
+        detail: why, in a few words.
+    """
+
+    task: str
+    robot: str
+    progress: Progress
+    detail: str = ""
+
+
+class Statements:
+    """Takes in what is stated, by whatever topic, at the team's present time.
+
+    Args:
+        team: to which it matters.
+        hold: how long a sign keeps an allocation going [s].
+    """
+
+    def __init__(self, team: Team, hold: float) -> None:
+        self._team = team
+        self._hold = hold
+
+    def allocated(self, task_id: str, robot_id: str, timeout: float, heard: Heard) -> None:
+        """Take in that a task is allocated; does not count once the task has ended.
+
+        Args:
+            task_id: its id.
+            robot_id: normalised id of who holds it; empty if the message names nobody.
+            timeout: how long this counts [s].
+            heard: the message. One with a header stamp no newer than the sign that ended this allocation was late,
+                and does not begin it again.
+        """
+        task = self._team.find_task(task_id)
+        if task is None or task.ended:
+            return
+        if not robot_id:
+            self._team.hold_anonymously(task, timeout)
+            return
+        robot = self._team.find_robot(robot_id)
+        if robot is not None and not self._team.book.is_late(robot_id, task_id, stamp_of(heard)):
+            self._team.hold(robot, task, timeout, heard)
+
+    def signed(self, sign: AllocationSign, heard: Heard) -> None:
+        """Take in what an architecture's own message says of an allocation.
+
+        Args:
+            sign: what it says; of an allocation that is not open nothing follows.
+            heard: the message.
+        """
+        team = self._team
+        hold = team.book.find(sign.robot, sign.task)
+        if hold is None:
+            return
+        if sign.outcome is None:
+            team.prolong(hold, self._hold, heard)
+            return
+        team.end(hold, sign.outcome, sign.text, signed=stamp_of(heard) or team.now)
+        task = team.tasks[sign.task]
+        if sign.outcome is Outcome.DONE and not team.book.of_task(sign.task):
+            team.change_task(task, TaskState.DONE, sign.text)
+        else:
+            team.update_task(task, hold.expired)
+
+    def reported(self, report: Report, heard: Heard) -> None:
+        """Take in how a task goes, or what an operator wants of it.
+
+        Args:
+            report: what is told.
+            heard: the message.
+        """
+        team = self._team
+        if report.progress is Progress.APPEARED:
+            team.appear(report.task)
+            return
+        task = team.find_task(report.task)
+        if task is None:
+            return
+        hold = team.book.find(report.robot, report.task)
+        signed = stamp_of(heard) or team.now
+        if report.progress is Progress.RUNNING:
+            if hold is not None:
+                team.prolong(hold, self._hold, heard)
+        elif report.progress is Progress.UNREACHABLE:
+            if hold is not None:
+                team.end(hold, Outcome.FAILED, report.detail, signed=signed)
+                team.update_task(task, hold.expired)
+        elif report.progress is Progress.REASSIGNED:
+            for other in team.book.of_task(report.task):
+                if other is not hold:
+                    team.end(other, Outcome.PREEMPTED, report.detail, signed=signed)
+            team.update_task(task)
+        elif task.allows(_ENDINGS[report.progress][1]):
+            self._finish(task, report, signed)
+
+    def _finish(self, task: TaskWatch, report: Report, signed: float) -> None:
+        outcome, after = _ENDINGS[report.progress]
+        together = not report.robot or (task.robots or 1) > 1
+        for hold in self._team.book.of_task(task.id):
+            told = outcome if together or hold.robot == report.robot else Outcome.PREEMPTED
+            self._team.end(hold, told, report.detail, signed=signed)
+        task.anonymous_until = self._team.now
+        self._team.change_task(task, after, report.detail)
