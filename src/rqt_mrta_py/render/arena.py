@@ -4,24 +4,24 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left
-from typing import List, Mapping, NamedTuple, Optional, Sequence, Tuple
+from typing import Mapping, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
 from rqt_mrta_py.hooks import RobotSight
-from rqt_mrta_py.model import Allocation, Outcome, Pose, RobotState
+from rqt_mrta_py.model import Pose, RobotState
 from rqt_mrta_py.render.canvas import Box, Canvas, Point, label_size
 from rqt_mrta_py.render.floor import ArenaMap
 from rqt_mrta_py.render.labels import LabelPlacer
 from rqt_mrta_py.render.page import Page
-from rqt_mrta_py.render.palette import FAINT, INK, WHITE, Colour, mix
+from rqt_mrta_py.render.palette import FAINT, INK, TRAIL, WHITE, Colour, mix
 from rqt_mrta_py.render.signs import diamond, light
+from rqt_mrta_py.render.spells import spells
 from rqt_mrta_py.render.text import Style, shorten
 
 __all__ = ["draw_arena"]
 
 _NAME = Style(12, bold=True)
-_TRAIL: Colour = (150, 158, 170)
 _SMALLEST_ROBOT = 6.5
 _LONGEST_NAME = 130.0
 _TASK_SIZE = 8.0
@@ -96,27 +96,14 @@ def _draw_trail(page: Page, canvas: Canvas, place: ArenaMap, robot: RobotSight) 
     across, down = place.arrays(table[:, 1], table[:, 2])
     points = np.stack((across - place.box.left, down - place.box.top), axis=1)
     oldest, newest = times[0], times[-1]
-    for start, end, task in _spells(page.by_robot.get(robot.id, ()), oldest, newest):
-        colour = _TRAIL if task is None else page.colours[task]
+    for start, end, task in spells(page.by_robot.get(robot.id, ()), oldest, newest):
+        colour = TRAIL if task is None else page.colours[task]
         for third, faded in enumerate(_FADING):
             since = max(start, oldest + (newest - oldest) * third / 3.0)
             until = min(end, oldest + (newest - oldest) * (third + 1) / 3.0)
             first, last = bisect_left(times, since), bisect_left(times, until)
             if since < until and last > first:
                 canvas.line(points[max(first - 1, 0) : last + 1], mix(colour, FAINT, faded), 2)
-
-
-def _spells(held: Sequence[Allocation], start: float, end: float) -> List[Tuple[float, float, Optional[str]]]:
-    """Cut a stretch of time into spells with the task held, or None; of several tasks the one begun last."""
-    cuts = {start, end}
-    for allocation in held:
-        cuts.update(time for time in (allocation.start, allocation.end) if start < time < end)
-    edges = sorted(cuts)
-    spells = []
-    for since, until in zip(edges, edges[1:]):
-        tasks = [a.task for a in held if a.start <= since and (until <= a.end or a.outcome is Outcome.OPEN)]
-        spells.append((since, until, tasks[-1] if tasks else None))
-    return spells
 
 
 def _draw_allocations(page: Page, canvas: Canvas, robots: Mapping[str, Point], tasks: Mapping[str, Point]) -> None:

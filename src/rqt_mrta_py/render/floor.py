@@ -9,7 +9,7 @@ from rqt_mrta_py.hooks import SceneView
 from rqt_mrta_py.model import Arena, Obstacle
 from rqt_mrta_py.render.canvas import Box, Canvas, Point
 from rqt_mrta_py.render.layout import SMALL
-from rqt_mrta_py.render.palette import FAINT, FRAME, GRID, INK, MUTED, WHITE, Colour, mix
+from rqt_mrta_py.render.palette import FAINT, FRAME, GRID, INK, MUTED, OBSTACLE, WHITE, mix
 from rqt_mrta_py.render.times import number, ticks
 
 if TYPE_CHECKING:
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 
 __all__ = ["ArenaMap", "draw_floor", "extent"]
 
-_OBSTACLE: Colour = (176, 182, 190)
 _UNKNOWN = Arena(-2.0, -2.0, 2.0, 2.0, 0.0)
 _SNAP = 2.0
 
@@ -105,10 +104,10 @@ def draw_floor(canvas: Canvas, place: ArenaMap, obstacles: Sequence[Obstacle]) -
 def _draw_obstacle(canvas: Canvas, place: ArenaMap, obstacle: Obstacle) -> None:
     left, top = place.box.left, place.box.top
     x, y = place(obstacle.pose.x, obstacle.pose.y)
-    edge = mix(_OBSTACLE, INK, 0.45)
+    edge = mix(OBSTACLE, INK, 0.45)
     if obstacle.shape == "cylinder":
         radius = obstacle.size[0] / 2.0 * place.scale
-        canvas.disc((x - left, y - top), radius, _OBSTACLE)
+        canvas.disc((x - left, y - top), radius, OBSTACLE)
         canvas.ring((x - left, y - top), radius, edge)
         return
     cos, sin = math.cos(obstacle.pose.yaw), math.sin(obstacle.pose.yaw)
@@ -117,7 +116,7 @@ def _draw_obstacle(canvas: Canvas, place: ArenaMap, obstacle: Obstacle) -> None:
         dx, dy = along * obstacle.size[0], across * obstacle.size[1]
         x, y = place(obstacle.pose.x + cos * dx - sin * dy, obstacle.pose.y + sin * dx + cos * dy)
         corners.append((x - left, y - top))
-    canvas.polygon(corners, _OBSTACLE)
+    canvas.polygon(corners, OBSTACLE)
     canvas.line(corners, edge, closed=True)
 
 

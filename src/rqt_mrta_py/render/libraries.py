@@ -8,7 +8,7 @@ from typing import Any
 
 from rqt_mrta_py.errors import MissingDependencyError
 
-__all__ = ["opencv", "pillow", "require"]
+__all__ = ["matplotlib", "opencv", "pillow", "require"]
 
 
 def require(module: str, package: str, purpose: str) -> ModuleType:
@@ -50,3 +50,12 @@ def pillow(module: str) -> Any:
         MissingDependencyError: it is not installed.
     """
     return require(f"PIL.{module}", "pillow>=9.4", "writing on pictures")
+
+
+def matplotlib(module: str) -> Any:
+    """Give one of matplotlib's modules, for instance ``figure``.
+
+    Raises:
+        MissingDependencyError: it is not installed.
+    """
+    return require(f"matplotlib.{module}", "matplotlib>=3.6,<4", "drawing the dashboard")

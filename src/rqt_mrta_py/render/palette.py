@@ -18,12 +18,14 @@ __all__ = [
     "GRID",
     "INK",
     "MUTED",
+    "OBSTACLE",
     "PAGE",
     "RED",
     "SEVERITY_COLOURS",
     "STATE_COLOURS",
     "TASK_COLOURS",
     "TASK_STATE_COLOURS",
+    "TRAIL",
     "WHITE",
     "Colour",
     "TaskColours",
@@ -43,6 +45,8 @@ RED: Colour = (190, 26, 38)
 INK: Colour = (31, 36, 44)
 MUTED: Colour = (92, 101, 112)
 ACCENT: Colour = (38, 70, 110)
+OBSTACLE: Colour = (176, 182, 190)
+TRAIL: Colour = (150, 158, 170)
 
 _GREEN: Colour = (0, 158, 115)
 _YELLOW: Colour = (240, 228, 66)

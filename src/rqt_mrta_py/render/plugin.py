@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Mapping
 
 from rqt_mrta_py.hooks import Renderer, hookimpl
+from rqt_mrta_py.render.dashboard import draw_dashboard
 from rqt_mrta_py.render.monitor import draw_monitor
 
 __all__ = ["mrta_register_renderers"]
@@ -12,5 +13,5 @@ __all__ = ["mrta_register_renderers"]
 
 @hookimpl
 def mrta_register_renderers() -> Mapping[str, Renderer]:
-    """Name the monitor picture."""
-    return {"monitor": draw_monitor}
+    """Name the picture of a moment and the picture of the whole."""
+    return {"dashboard": draw_dashboard, "monitor": draw_monitor}

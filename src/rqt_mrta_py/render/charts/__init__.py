@@ -1,0 +1,8 @@
+"""The parts of the dashboard, drawn with matplotlib.
+
+* ``sheet``: what they are drawn on
+* ``paths``: the arena with the robots' whole paths
+* ``schedule``: allocations, states and incidents over time
+* ``traces``: curves over time
+* ``figures``: key figures and incidents in words
+"""
