@@ -54,6 +54,8 @@ class Simulation:
         generators: Mapping[str, np.random.Generator],
     ) -> None:
         self.scenario = scenario
+        if scenario.control_rate < 1:
+            raise SimError(f"scenario: control_rate must be at least 1 Hz (got {scenario.control_rate!r})")
         _raise_if_any([*missing_names(scenario, models, sensors, worlds), *event_problems(scenario)])
         placed = tuple(PlacedRobot(robot.id, models[robot.model], robot.start) for robot in scenario.robots)
         _raise_if_any(placement_problems(scenario.arena, scenario.obstacles, placed))

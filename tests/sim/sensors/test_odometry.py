@@ -108,5 +108,7 @@ def test_odometry_draws_its_biases_once():
 
 
 def test_odometry_refuses_a_negative_error():
-    with pytest.raises(SimError, match=r"robot robot1: sensor odometry on odom: parameter turn_error: must be a number"):
+    with pytest.raises(
+        SimError, match=r"robot robot1: sensor odometry on odom: parameter turn_error: must be a number"
+    ):
         drive([Pose(0.0, 0.0)], turn_error=-0.1)

@@ -1,0 +1,33 @@
+from __future__ import annotations
+
+import math
+
+import pluggy
+
+from rqt_mrta_py.hooks import PROJECT, HookSpecs
+from rqt_mrta_py.sim import plugin
+from rqt_mrta_py.sim.bullet import BulletWorld
+from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
+from rqt_mrta_py.sim.sensors import Localiser, Odometry, RangeFinder
+from tests.sim.sensors.support import context
+
+
+def test_plugin_keeps_the_contract_and_registers_what_the_room_brings():
+    manager = pluggy.PluginManager(PROJECT)
+    manager.add_hookspecs(HookSpecs)
+    manager.register(plugin)
+    manager.check_pending()
+    (worlds,) = manager.hook.mrta_register_worlds()
+    (models,) = manager.hook.mrta_register_robot_models()
+    (sensors,) = manager.hook.mrta_register_sensors()
+    assert isinstance(worlds["bullet"](), BulletWorld)
+    assert models == {"diff_drive": DIFF_DRIVE}
+    kinds = {kind: type(factory(context(kind, "topic"))) for kind, factory in sensors.items()}
+    assert kinds == {"localiser": Localiser, "odometry": Odometry, "range_finder": RangeFinder}
+
+
+def test_diff_drive_fits_into_its_own_radius():
+    corner = math.hypot(DIFF_DRIVE.length / 2, DIFF_DRIVE.width / 2)
+    wheel = DIFF_DRIVE.track / 2 + DIFF_DRIVE.wheel_radius
+    assert max(corner, wheel) <= DIFF_DRIVE.radius
+    assert 2 * DIFF_DRIVE.wheel_radius < DIFF_DRIVE.sensor_height < DIFF_DRIVE.height
