@@ -84,8 +84,8 @@ def provide(level: str, ros_elsewhere: bool) -> bool:
     for group in groups:
         lacking = [package for package in group.packages if package in absent]
         if lacking:
-            reason = "apt did not bring them" if apt_allowed() else "MRTA_NO_APT is set"
-            say(f"not installed ({reason}): {' '.join(lacking)}; without them: no {group.purpose}")
+            reason = "apt did not bring" if apt_allowed() else "MRTA_NO_APT keeps out"
+            say(f"{reason} what serves {group.purpose}: {' '.join(lacking)}")
     return bool(absent) and not apt_allowed()
 
 

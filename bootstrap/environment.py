@@ -25,6 +25,19 @@ def python_of(checkout: Path) -> Path:
     return checkout / ".venv" / "bin" / "python"
 
 
+def site_packages(checkout: Path) -> Path:
+    """Give the folder that pip installs into.
+
+    Args:
+        checkout: Its root folder.
+
+    Returns:
+        Path inside ``.venv``.
+    """
+    question = "import sysconfig; print(sysconfig.get_paths()['purelib'])"
+    return Path(shell.run([str(python_of(checkout)), "-I", "-c", question]).stdout.strip())
+
+
 def mark(checkout: Path) -> Path:
     """Give the file that stands while ``.venv`` is being written: left behind, it tells of an interruption.
 

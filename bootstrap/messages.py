@@ -38,7 +38,7 @@ def provide(checkout: Path) -> None:
         shutil.rmtree(target)
     aside.mkdir(exist_ok=True)
     aside.rename(target)
-    _put_on_path(python, target)
+    (environment.site_packages(checkout) / "mrta_messages.pth").write_text(f"{target}\n", encoding="utf-8")
 
 
 def message_files(checkout: Path) -> List[Path]:
@@ -56,9 +56,3 @@ def message_files(checkout: Path) -> List[Path]:
 
 def _has_genpy(python: str) -> bool:
     return shell.run([python, "-c", "import genpy.generator"], environment=os.environ).returncode == 0
-
-
-def _put_on_path(python: str, folder: Path) -> None:
-    question = "import sysconfig; print(sysconfig.get_paths()['purelib'])"
-    site = Path(shell.run([python, "-I", "-c", question]).stdout.strip())
-    (site / "mrta_messages.pth").write_text(f"{folder}\n", encoding="utf-8")

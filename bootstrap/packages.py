@@ -46,6 +46,7 @@ def provide(checkout: Path, level: str) -> None:
     _pip(checkout, ["--editable", f".[{EXTRAS[level]}]"])
     mended: List[str] = []
     while True:
+        _put_own_toolkits_first(checkout)
         failures = failing_imports(checkout)
         if not failures:
             return
@@ -99,6 +100,14 @@ def declared_requirements(checkout: Path) -> Dict[str, str]:
     answer = shell.run([str(environment.python_of(checkout)), "-I", "-c", question])
     declared = (line.partition(";")[0].strip() for line in answer.stdout.splitlines())
     return {re.split(r"[^A-Za-z0-9._-]", requirement, maxsplit=1)[0].lower(): requirement for requirement in declared}
+
+
+def _put_own_toolkits_first(checkout: Path) -> None:
+    # Debian's matplotlib claims the namespace mpl_toolkits for itself when Python starts, by a .pth file. Ours is read
+    # before it, and an import made early stays first.
+    site = environment.site_packages(checkout)
+    if (site / "mpl_toolkits").is_dir():
+        (site / "mrta_mpl_toolkits.pth").write_text("import mpl_toolkits\n", encoding="utf-8")
 
 
 def _pip(checkout: Path, arguments: List[str]) -> None:

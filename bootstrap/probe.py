@@ -12,9 +12,9 @@ import warnings
 
 
 def main() -> None:
-    """Import what the command line names; a warning that speaks of numpy counts as a failure."""
-    warnings.filterwarnings("error", message=r"(?is).*numpy", category=UserWarning)
-    warnings.filterwarnings("error", message=r"(?is).*numpy", category=RuntimeWarning)
+    """Import what the command line names; a warning about versions that do not fit counts as a failure."""
+    for category in (UserWarning, RuntimeWarning):
+        warnings.filterwarnings("error", message=r"(?is).*(numpy|multiple versions)", category=category)
     for module in sys.argv[1:]:
         print(f"begin {module}", flush=True)
         try:
