@@ -1,0 +1,226 @@
+"""Discovery, held against rospkg where the two must agree."""
+
+from __future__ import annotations
+
+import sys
+import time
+from importlib import metadata
+from pathlib import Path
+from typing import Any, Callable, Dict, List, Optional, Sequence
+
+import pytest
+
+from rqt_mrta_py.config import RegistrationKind, Registry, discover, own_packages
+from rqt_mrta_py.errors import DiscoveryError
+
+Write = Callable[[str, str], Path]
+
+
+@pytest.fixture
+def package(write: Write) -> Callable[..., Path]:
+    """Write a package; with an export it is an application of that file."""
+
+    def make(folder: str, name: Optional[str] = None, application: bool = False, plugin: str = "") -> Path:
+        tag = '<rqt_mrta_py application="${prefix}/rqt_mrta.xml"/>' if application else ""
+        tag += f'<rqt_mrta_py plugin="{plugin}"/>' if plugin else ""
+        depend = "<depend>rqt_mrta_py</depend>" if tag else ""
+        text = f"<package><!-- <name>no</name> --><name>{name or Path(folder).name}</name>{depend}"
+        write(f"{folder}/rqt_mrta.xml", "<rqt_mrta/>")
+        return write(f"{folder}/package.xml", f"{text}<export>{tag}</export></package>").parent
+
+    return make
+
+
+def search(
+    ros: Sequence[Path] = (),
+    cmake: Sequence[Path] = (),
+    prefix: str = "/nowhere",
+    own: Sequence[Path] = (),
+    **rest: Any,
+) -> Registry:
+    environ: Dict[str, str] = {
+        "ROS_PACKAGE_PATH": ":".join(map(str, ros)),
+        "CMAKE_PREFIX_PATH": ":".join(map(str, cmake)),
+    }
+    return discover(environ, prefix, own, **{"shares": (), "entry_points": (), **rest})
+
+
+def names(registry: Registry, kind: RegistrationKind = RegistrationKind.APPLICATION) -> List[str]:
+    return [registration.package for registration in registry.of_kind(kind)]
+
+
+def test_discovery_searches_in_the_documented_order_and_the_first_name_wins(
+    tmp_path: Path, package: Callable[..., Path]
+) -> None:
+    places = ["ros", "cmake/share", "debian", "prefix/share", "own"]
+    for index, place in enumerate(places):
+        package(f"{place}/only_{index}", application=True)
+        for other in places[: index + 1]:
+            package(f"{place}/from_{other.split('/')[0]}", application=True)
+
+    registry = search(
+        [tmp_path / "ros"],
+        [tmp_path / "cmake"],
+        str(tmp_path / "prefix"),
+        [tmp_path / "own"],
+        shares=[tmp_path / "debian"],
+    )
+
+    assert names(registry) == [
+        "from_ros",
+        "only_0",
+        "from_cmake",
+        "only_1",
+        "from_debian",
+        "only_2",
+        "from_prefix",
+        "only_3",
+        "from_own",
+        "only_4",
+    ]
+    assert registry.packages["from_ros"] == tmp_path / "ros" / "from_ros"
+
+
+def test_discovery_descends_as_rospkg_does(tmp_path: Path, package: Callable[..., Path], write: Write) -> None:
+    rospkg = pytest.importorskip("rospkg")
+    package("src/b")
+    package("src/group/deep/a")
+    package("src/b/nested_in_a_package")
+    package("src/ignored/c")
+    write("src/ignored/CATKIN_IGNORE", "")
+    package("src/.hidden/d")
+    package("src/stopped/below/e")
+    write("src/stopped/rospack_nosubdirs", "")
+    package("src/ignored_package")
+    write("src/ignored_package/CATKIN_IGNORE", "")
+    (tmp_path / "src" / "group" / "loop").symlink_to(tmp_path / "src")
+    package("elsewhere/linked")
+    (tmp_path / "src" / "link").symlink_to(tmp_path / "elsewhere")
+
+    registry = search([tmp_path / "src"])
+
+    assert list(registry.packages) == ["b", "a", "linked"]
+    assert sorted(registry.packages) == sorted(rospkg.RosPack([str(tmp_path / "src")]).list())
+
+
+def test_discovery_takes_the_name_of_the_manifest_and_not_of_the_folder(package: Callable[..., Path]) -> None:
+    folder = package("src/folder", name="called", application=True)
+
+    assert search([folder.parent]).packages == {"called": folder}
+
+
+def test_discovery_looks_one_level_deep_into_share_folders(tmp_path: Path, package: Callable[..., Path]) -> None:
+    package("share/seen")
+    package("share/group/unseen")
+
+    assert list(search(prefix=str(tmp_path)).packages) == ["seen"]
+
+
+def test_discovery_reports_a_broken_manifest_and_goes_on(
+    tmp_path: Path, package: Callable[..., Path], write: Write
+) -> None:
+    package("src/a", application=True)
+    broken = write("src/b/package.xml", "<package>\n<name>b</name><depend>rqt_mrta</depend>")
+    package("src/c", application=True)
+
+    registry = search([tmp_path / "src"])
+
+    assert names(registry) == ["a", "c"]
+    assert [str(problem) for problem in registry.problems] == [
+        f"{broken}:2: is not well-formed XML: Premature end of data in tag package line 1"
+    ]
+
+
+def test_discovery_passes_over_folders_that_do_not_exist(tmp_path: Path) -> None:
+    assert search([tmp_path / "gone", Path()], [tmp_path / "gone"], own=[tmp_path / "gone"]).packages == {}
+
+
+def test_discovery_finds_the_packages_of_this_checkout_through_the_same_search(root: Path) -> None:
+    registry = discover({}, prefix="/nowhere", shares=(), entry_points=())
+
+    assert own_packages() == (root, root / "plugins")
+    assert registry.packages["rqt_mrta_py"] == root
+    assert "border_patrol" in names(registry)
+    assert "mrta_alliance" in names(registry, RegistrationKind.ARCHITECTURE)
+    assert registry.problems == ()
+
+
+def test_discovery_lets_a_package_of_the_user_stand_before_ours(package: Callable[..., Path]) -> None:
+    folder = package("src/border_patrol", application=True)
+
+    registry = discover({"ROS_PACKAGE_PATH": str(folder.parent)}, prefix="/nowhere", shares=(), entry_points=())
+
+    assert registry.find("border_patrol").folder == folder
+
+
+def test_discovery_takes_entry_points_as_plugins(package: Callable[..., Path]) -> None:
+    folder = package("src/p", plugin="p.plugin")
+    entry_points = [
+        metadata.EntryPoint("mine", "mine.plugin:Plugin", "rqt_mrta_py"),
+        metadata.EntryPoint("again", "p.plugin", "rqt_mrta_py"),
+    ]
+
+    registry = search([folder.parent], entry_points=entry_points)
+
+    plugins = registry.of_kind(RegistrationKind.PLUGIN)
+    assert [(entry.package, entry.plugin) for entry in plugins] == [("p", "p.plugin"), ("mine", "mine.plugin:Plugin")]
+
+
+def test_discovery_reads_entry_points_of_installed_distributions(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:
+    info = write("site/yard-1.0.dist-info/METADATA", "Metadata-Version: 2.1\nName: yard\nVersion: 1.0\n").parent
+    write("site/yard-1.0.dist-info/entry_points.txt", "[rqt_mrta_py]\nyard = yard.plugin\n[console_scripts]\ny = y:y\n")
+    monkeypatch.setattr(sys, "path", [str(info.parent)])
+
+    (entry,) = discover({}, "/nowhere", (), ()).registrations
+
+    assert (entry.package, entry.plugin, entry.folder) == ("yard", "yard.plugin", info.parent)
+
+
+def test_registry_finds_messages_of_any_package(package: Callable[..., Path], write: Write) -> None:
+    folder = package("src/plain_msgs")
+    path = write("src/plain_msgs/msg/Point.msg", "float64 x\n")
+
+    registry = search([folder.parent])
+
+    assert registry.message_file("plain_msgs/Point") == path
+    for unknown in ("plain_msgs/Line", "other_msgs/Point", "Point", "", "plain_msgs/../Point", "plain_msgs/"):
+        assert registry.message_file(unknown) is None
+
+
+def test_registry_names_the_nearest_name_for_one_that_is_not_registered(package: Callable[..., Path]) -> None:
+    folder = package("src/border_patrol", application=True)
+    package("src/plain")
+    registry = search([folder.parent])
+
+    with pytest.raises(DiscoveryError) as misspelt:
+        registry.find("boarder_patrol", RegistrationKind.APPLICATION)
+    with pytest.raises(DiscoveryError) as plain:
+        registry.find("plain", RegistrationKind.APPLICATION)
+    with pytest.raises(DiscoveryError) as none:
+        registry.find("x", RegistrationKind.ARCHITECTURE)
+
+    assert str(misspelt.value) == (
+        "boarder_patrol: no application of this name is registered; nearest is 'border_patrol'"
+    )
+    assert str(plain.value) == (
+        f"plain: the package in {folder.parent / 'plain'} registers no application; its package.xml must depend on "
+        "rqt_mrta_py and export <rqt_mrta_py application=.../>"
+    )
+    assert str(none.value) == "x: no architecture of this name is registered; there is none"
+
+
+def test_discovery_of_a_hundred_foreign_packages_costs_milliseconds(
+    tmp_path: Path, package: Callable[..., Path]
+) -> None:
+    for number in range(100):
+        package(f"share/foreign_{number}")
+    for number in range(400):
+        (tmp_path / "share" / f"data_{number}").mkdir()
+
+    started = time.perf_counter()
+    registry = search(prefix=str(tmp_path))
+    passed = time.perf_counter() - started
+
+    assert len(registry.packages) == 100
+    # About 7 ms where this was written; parsing every manifest would take ten times as long.
+    assert passed < 0.5
