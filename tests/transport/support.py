@@ -45,7 +45,7 @@ def connection(topic: str, type_name: str, definition: str, caller: str = "", md
     return Connection(topic, type_name, md5, definition, caller)
 
 
-def run_ros(arguments: Sequence[str], **options: object) -> "subprocess.CompletedProcess[str]":
+def run_ros(arguments: Sequence[str], **options: object) -> subprocess.CompletedProcess[str]:
     """Run a ROS tool or script, which must succeed."""
     return subprocess.run(  # type: ignore[call-overload,no-any-return]
         arguments, check=True, capture_output=True, text=True, timeout=60, **options

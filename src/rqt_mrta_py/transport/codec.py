@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple
 
-from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Connection, FieldReader
 from rqt_mrta_py.transport.definitions import Definition, parse_definition
 from rqt_mrta_py.transport.reading import compile_decoder, compile_reader
@@ -68,8 +67,5 @@ class RosCodec:
         key = (connection.type, connection.definition)
         definition = self._parsed.get(key)
         if definition is None:
-            try:
-                definition = self._parsed[key] = parse_definition(*key)
-            except TransportError as error:
-                raise TransportError(f"{connection.topic}: {error}") from error
+            definition = self._parsed[key] = parse_definition(*key)
         return definition

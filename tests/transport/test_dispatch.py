@@ -1,0 +1,150 @@
+from __future__ import annotations
+
+from typing import Any, List, Tuple
+
+import pytest
+
+from rqt_mrta_py.errors import TransportError
+from rqt_mrta_py.hooks import EVERYTHING, Connection, Heard, Stamped, Subscription
+from rqt_mrta_py.transport import Dispatcher, RosCodec
+
+
+class Listening:
+    """A dispatcher with everything it says."""
+
+    def __init__(self, codec: RosCodec) -> None:
+        self.reports: List[Tuple[Heard, str]] = []
+        self.heard: List[Heard] = []
+        self.dispatcher = Dispatcher(codec, lambda heard, text: self.reports.append((heard, text)))
+        self.codec = codec
+
+    def subscribe(self, topic: str, type_name: str = "", *fields: str) -> None:
+        self.dispatcher.subscribe(Subscription(topic, type_name, fields), self.heard.append)
+
+    def say(self, made: Connection, receipt_ns: int, **fields: Any) -> None:
+        self.dispatcher.feed(Stamped(made, receipt_ns, self.codec.encode(made.type, fields)))
+
+
+@pytest.fixture
+def listening(codec: RosCodec) -> Listening:
+    return Listening(codec)
+
+
+def test_dispatcher_hands_on_fields_tokens_caller_receipt_and_ordinal(listening: Listening, codec: RosCodec) -> None:
+    listening.subscribe("/@robot_id@/alliance/motivation/@task_id@", "alliance_msgs/Motivation", "task_id", "active")
+    made = codec.connection("/robot1/alliance/motivation/wander", "alliance_msgs/Motivation", "/robot1/agent")
+    listening.say(made, 61_050_000_000, task_id="wander", active=True)
+    assert listening.heard == [
+        Heard(
+            topic="/robot1/alliance/motivation/wander",
+            type="alliance_msgs/Motivation",
+            receipt=61.05,
+            fields={"task_id": "wander", "active": True},
+            robot="robot1",
+            task="wander",
+            caller="/robot1/agent",
+            ordinal=0,
+        )
+    ]
+
+
+def test_dispatcher_counts_each_topic_over_the_whole_stream_whoever_listens(
+    listening: Listening, codec: RosCodec
+) -> None:
+    first = codec.connection("/s", "std_msgs/String", "/one")
+    second = codec.connection("/s", "std_msgs/String", "/two")
+    other = codec.connection("/t", "std_msgs/String", "/one")
+    for made in (first, other, second):
+        listening.say(made, 1, data="")
+    listening.subscribe("/s")
+    listening.subscribe("/t")
+    for made in (second, other, first):
+        listening.say(made, 2, data="")
+    assert [(heard.topic, heard.caller, heard.ordinal) for heard in listening.heard] == [
+        ("/s", "/two", 2),
+        ("/t", "/one", 1),
+        ("/s", "/one", 3),
+    ]
+
+
+def test_dispatcher_tells_everybody_in_the_order_of_subscribing(codec: RosCodec) -> None:
+    told: List[str] = []
+    dispatcher = Dispatcher(codec, lambda heard, text: None)
+    for name, topic in (("first", EVERYTHING), ("second", "/s"), ("third", "/@robot_id@"), ("fourth", "s")):
+        dispatcher.subscribe(Subscription(topic), lambda heard, name=name: told.append(name))  # type: ignore[misc]
+    dispatcher.feed(Stamped(codec.connection("/s", "std_msgs/String"), 1, codec.encode("std_msgs/String", {})))
+    assert told == ["first", "second", "third", "fourth"]
+
+
+def test_dispatcher_reads_nothing_for_a_subscription_without_fields(listening: Listening, codec: RosCodec) -> None:
+    listening.subscribe(EVERYTHING)
+    listening.dispatcher.feed(Stamped(codec.connection("/s", "std_msgs/String"), 5, b"no string at all"))
+    assert listening.heard == [Heard("/s", "std_msgs/String", 5e-9, {})]
+    assert listening.reports == []
+
+
+@pytest.mark.parametrize(
+    ("wanted", "definition", "raw", "text"),
+    [
+        (("std_msgs/Bool", "data"), "string data", b"\0\0\0\0", "/s: carries x/Y, subscribed to as std_msgs/Bool"),
+        (("x/Y", "nope"), "string data", b"\0\0\0\0", "/s: x/Y: no field 'nope'; fields of x/Y are: data"),
+        (("", "data"), "what is this", b"", "/s: x/Y, line 1 of its definition: 'what is this' is no declaration"),
+        (("", "data"), "string data", b"\xff\0\0\0", "/s: x/Y: 4 bytes do not fit the definition with md5"),
+    ],
+)
+def test_dispatcher_reports_what_cannot_be_read_once_and_goes_on(
+    listening: Listening, wanted: Tuple[str, ...], definition: str, raw: bytes, text: str
+) -> None:
+    listening.subscribe("/@robot_id@", *wanted)
+    listening.subscribe("/s")
+    made = Connection("/s", "x/Y", "0" * 32, definition)
+    for receipt_ns in (1_000_000_000, 2_000_000_000):
+        listening.dispatcher.feed(Stamped(made, receipt_ns, raw))
+    ((heard, reason),) = listening.reports
+    assert heard == Heard("/s", "x/Y", 1.0, {}, robot="s")
+    assert reason.startswith(text)
+    assert [heard.ordinal for heard in listening.heard] == [0, 1]
+
+
+def test_dispatcher_reports_for_each_connection_and_subscription(listening: Listening, codec: RosCodec) -> None:
+    listening.subscribe("/s", "std_msgs/Bool")
+    listening.subscribe("/s", "std_msgs/Int8")
+    for caller in ("/one", "/two", "/one"):
+        listening.say(codec.connection("/s", "std_msgs/String", caller), 1, data="")
+    assert [(heard.caller, reason) for heard, reason in listening.reports] == [
+        (caller, f"/s: carries std_msgs/String, subscribed to as {wanted}")
+        for caller in ("/one", "/two")
+        for wanted in ("std_msgs/Bool", "std_msgs/Int8")
+    ]
+
+
+def test_dispatcher_hears_good_messages_after_a_bad_one(listening: Listening, codec: RosCodec) -> None:
+    listening.subscribe("/s", "std_msgs/String", "data")
+    made = codec.connection("/s", "std_msgs/String")
+    listening.dispatcher.feed(Stamped(made, 1, b"\xff\xff"))
+    listening.say(made, 2, data="good")
+    assert [(heard.fields, heard.ordinal) for heard in listening.heard] == [({"data": "good"}, 1)]
+
+
+def test_dispatcher_treats_equal_connections_as_one(listening: Listening, codec: RosCodec) -> None:
+    listening.subscribe("/s", "std_msgs/String", "data")
+    for number in range(300):
+        # Each is an object of its own that may well take the place of the one before in memory.
+        listening.say(codec.connection("/s" if number % 2 else "/t", "std_msgs/String"), number, data=str(number))
+    assert [heard.fields["data"] for heard in listening.heard] == [str(number) for number in range(1, 300, 2)]
+    assert [heard.ordinal for heard in listening.heard] == list(range(150))
+
+
+def test_dispatcher_refuses_a_topic_that_ros_refuses(listening: Listening) -> None:
+    with pytest.raises(TransportError, match="'a b' is not a name that ROS accepts"):
+        listening.subscribe("a b")
+
+
+def test_dispatcher_lets_an_exception_of_a_listener_through(codec: RosCodec) -> None:
+    def fail(heard: Heard) -> None:
+        raise RuntimeError(heard.topic)
+
+    dispatcher = Dispatcher(codec, lambda heard, text: None)
+    dispatcher.subscribe(Subscription("/s"), fail)
+    with pytest.raises(RuntimeError, match="/s"):
+        dispatcher.feed(Stamped(codec.connection("/s", "std_msgs/String"), 1, b""))
