@@ -41,14 +41,24 @@ def test_another_robot_takes_over_within_what_the_parameters_promise(patrol: Out
     assert 60 < patrol.mission_seconds(second["from"]) <= 60 + promised
 
 
-def test_the_robot_that_comes_back_finds_its_task_taken_and_yields(patrol: Outputs) -> None:
-    away, taken, *rest = allocations_of(patrol, "report")
+def test_a_robot_that_was_away_is_replaced_and_on_its_return_one_of_the_two_yields(patrol: Outputs) -> None:
+    """Both have been active for longer than the yielding delay by then, so whoever hears the other first lets go."""
+    away, taken, back = allocations_of(patrol, "report")
     assert (away["robot"], away["outcome"]) == ("robot2", "lost")
-    assert taken["robot"] != "robot2"
+    assert (taken["robot"], back["robot"]) == ("robot5", "robot2")
     assert 100 < patrol.mission_seconds(taken["from"]) < 135
-    back = [allocation for allocation in rest if allocation["robot"] == "robot2"]
-    assert all(allocation["outcome"] == "yielded" for allocation in back)
-    assert taken["outcome"] == "open"
+    assert patrol.mission_seconds(back["from"]) == pytest.approx(135, abs=0.3)
+    assert sorted([taken["outcome"], back["outcome"]]) == ["open", "yielded"]
+    both = min(taken["to"], back["to"]) - back["from"]
+    assert both <= 0.5, "no longer together than one broadcast period"
+
+
+def test_a_robot_that_tried_for_too_long_gives_up_and_the_task_is_taken_again(patrol: Outputs) -> None:
+    first, second = allocations_of(patrol, "wander")
+    giving_up_delay = 100.0
+    assert (first["robot"], first["outcome"]) == ("robot1", "gave_up")
+    assert first["to"] - first["from"] == pytest.approx(giving_up_delay + 1 / SPIN_RATE, abs=1e-6)
+    assert second["from"] - first["to"] <= THETA / (1.5 * SPIN_RATE) + 1e-6
 
 
 def test_a_stopped_robot_is_offline_until_it_returns(patrol: Outputs) -> None:

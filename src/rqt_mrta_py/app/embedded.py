@@ -97,7 +97,11 @@ class EmbeddedRun:
         self._bus.tap(observation.feed)
         self._world_node = self._bus.node("/simulation")
         self._supervisor_node = self._bus.node("/supervisor")
-        self._team: List[Member] = build_team(mission, self._scenario, seed, self._simulation, self._bus, manager)
+        try:
+            self._team: List[Member] = build_team(mission, self._scenario, seed, self._simulation, self._bus, manager)
+        except BaseException:
+            self._simulation.close()
+            raise
 
     def attach(self, record: Callable[[Stamped], None], pictures: Optional[PictureSchedule]) -> None:
         """Say where messages and pictures go; before the first step.

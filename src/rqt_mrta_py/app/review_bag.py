@@ -66,7 +66,9 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
     period = request.pictures
     if period is None:
         period = 1.0 if mission.scenario is None else mission.scenario.picture_period
-    observation = Observation(mission, codec, host.manager, duration or info.duration)
+    start_ns = info.start_ns or 0
+    length = ((info.end_ns or 0) - start_ns) / _NS
+    observation = Observation(mission, codec, host.manager, duration or length)
     folder = OutputFolder.create(request.out, f"{request.bag.stem}-review", request.force, Path.cwd())
     pictures = _Pictures(host.renderer("monitor"), folder.folder("monitor"), period) if period > 0 else None
     interrupted = False
@@ -75,8 +77,8 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
             if pictures is not None:
                 pictures.until(stamped.receipt_ns, observation)
             observation.feed(stamped)
-            progress((stamped.receipt_ns - info.start_ns) / _NS, info.duration)
-        if pictures is not None:
+            progress((stamped.receipt_ns - start_ns) / _NS, length)
+        if pictures is not None and info.end_ns is not None:
             pictures.until(info.end_ns + 1, observation)
     except KeyboardInterrupt:
         interrupted = True

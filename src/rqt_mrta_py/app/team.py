@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Dict, List, Mapping
+from typing import Callable, Dict, List, Mapping, TypeVar
 
 from rqt_mrta_py.app.chance import Purpose, generator
-from rqt_mrta_py.errors import UsageError
-from rqt_mrta_py.hooks import Agent, AgentSetup, Behaviour, BehaviourSetup, RobotModel
+from rqt_mrta_py.errors import RobotError, UsageError
+from rqt_mrta_py.hooks import AgentFactory, AgentSetup, BehaviourFactory, BehaviourSetup, RobotModel
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Mission, ScenarioSpec
 from rqt_mrta_py.robot import GridNavigator, HostSetup, RobotHost
@@ -15,6 +15,9 @@ from rqt_mrta_py.sim import Simulation
 from rqt_mrta_py.transport import Bus, Node
 
 __all__ = ["Member", "build_team"]
+
+_Setup = TypeVar("_Setup")
+_Made = TypeVar("_Made")
 
 
 @dataclass(frozen=True)
@@ -54,7 +57,7 @@ def build_team(
         UsageError: nobody provides agents for the mission's architecture.
         RobotError: a robot cannot carry out a task it is given.
     """
-    factories: Dict[str, Any] = manager.registered("mrta_register_agents")
+    factories: Dict[str, AgentFactory] = manager.registered("mrta_register_agents")
     package = mission.architecture.package
     if package not in factories:
         known = ", ".join(sorted(factories)) or "none"
@@ -80,27 +83,35 @@ def _host(
     robot_id: str,
     model: RobotModel,
     seed: int,
-    agent_factory: Any,
+    agent_factory: AgentFactory,
     manager: PluginManager,
 ) -> RobotHost:
     tasks = mission.tasks_of(robot_id)
-    behaviour_factories: Dict[str, Any] = manager.registered("mrta_register_behaviours")
+    factories: Dict[str, BehaviourFactory] = manager.registered("mrta_register_behaviours")
     behaviour_setup = BehaviourSetup(
         robot_id=robot_id,
         model=model,
-        navigator=GridNavigator(scenario.arena, scenario.obstacles, model.radius),
+        navigator=GridNavigator(scenario.arena, scenario.obstacles, radius=model.radius),
         random=generator(seed, robot_id, Purpose.BEHAVIOUR),
     )
-    kinds = sorted({task.kind for task in tasks} & set(behaviour_factories))
-    behaviours: Dict[str, Behaviour] = {kind: behaviour_factories[kind](behaviour_setup) for kind in kinds}
-    agent: Agent = agent_factory(
-        AgentSetup(
-            robot_id=robot_id,
-            team=tuple(robot.id for robot in mission.application.robots),
-            tasks=tasks,
-            parameters=mission.parameters.get(robot_id, {}),
-            random=generator(seed, robot_id, Purpose.AGENT),
-            evaluators=manager.registered("mrta_register_sensory_evaluators"),
-        )
+    agent_setup = AgentSetup(
+        robot_id=robot_id,
+        team=tuple(robot.id for robot in mission.application.robots),
+        tasks=tasks,
+        parameters=mission.parameters.get(robot_id, {}),
+        random=generator(seed, robot_id, Purpose.AGENT),
+        evaluators=manager.registered("mrta_register_sensory_evaluators"),
     )
+    behaviours = {}
+    for kind in sorted({task.kind for task in tasks} & set(factories)):
+        behaviours[kind] = _made(f"{robot_id}: behaviour {kind!r}", factories[kind], behaviour_setup)
+    agent = _made(f"{robot_id}: agent of {mission.architecture.package}", agent_factory, agent_setup)
     return RobotHost(HostSetup(robot_id, agent, behaviours, tasks, scenario.control_rate))
+
+
+def _made(what: str, factory: Callable[[_Setup], _Made], setup: _Setup) -> _Made:
+    """Call a plugin's factory; whatever it raises is told with what was to be made."""
+    try:
+        return factory(setup)
+    except Exception as error:
+        raise RobotError(f"{what} cannot be made: {type(error).__name__}: {error}") from error

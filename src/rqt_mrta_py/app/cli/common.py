@@ -8,7 +8,7 @@ import math
 import sys
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Mapping, Optional
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Sequence
 
 if TYPE_CHECKING:
     from rqt_mrta_py.app.results import MissionResult
@@ -21,6 +21,7 @@ __all__ = [
     "not_negative",
     "positive",
     "print_json",
+    "print_table",
 ]
 
 
@@ -67,7 +68,14 @@ def print_json(schema: str, value: Mapping[str, Any]) -> None:
     print(json.dumps({"schema": f"rqt_mrta_py/{schema}/1", **value}, indent=2, ensure_ascii=False, allow_nan=False))
 
 
-def complain_about(problems: Any) -> None:
+def print_table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+    """Print columns as wide as their widest cell, the last as it is."""
+    widths = [max(len(row[column]) for row in (head, *rows)) for column in range(len(head))]
+    for row in (head, *rows):
+        print("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip())
+
+
+def complain_about(problems: Iterable[object]) -> None:
     """Print what was skipped, a line each, on stderr."""
     for problem in problems:
         print(f"mrta: skipped: {problem}", file=sys.stderr)

@@ -140,5 +140,6 @@ class Communication:
         peer.patience = duration
         # A link may deliver late; what counts then is that the robot was heard at all.
         peer.recent.append(max(receipt, peer.recent[-1]))
-        while peer.recent[0] < now - self._horizon:
+        # The newest stays however old it is: a robot that had stopped takes in late what it heard before.
+        while len(peer.recent) > 1 and peer.recent[0] < now - self._horizon:
             peer.recent.popleft()

@@ -1,0 +1,144 @@
+"""What is registered, as ``mrta list`` and ``mrta show`` tell it; imports no plugin."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Dict, List, Optional, Tuple
+
+from rqt_mrta_py.app.description import describe_application, describe_architecture
+from rqt_mrta_py.config import (
+    Registration,
+    RegistrationKind,
+    Registry,
+    read_application,
+    read_architecture,
+    read_scenario,
+    read_tasks,
+)
+from rqt_mrta_py.errors import ConfigError, Problem
+from rqt_mrta_py.model import ApplicationSpec, ArchitectureSpec, Taxonomy
+
+__all__ = ["Entry", "application_of", "architecture_of", "described", "entries"]
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One line of the list.
+
+    Attributes:
+        registration: what a package registers.
+        title: its name for people; empty if its file cannot be read.
+        taxonomy: of an architecture, or of the architecture that an application names; None if unknown.
+        architecture: that an application names; None if none.
+        problems: what is wrong with it.
+    """
+
+    registration: Registration
+    title: str = ""
+    taxonomy: Optional[Taxonomy] = None
+    architecture: Optional[str] = None
+    problems: Tuple[Problem, ...] = ()
+
+
+def architecture_of(registration: Registration) -> ArchitectureSpec:
+    """Read the file of a registered architecture.
+
+    Raises:
+        ConfigError: it cannot be read, with everything that is wrong.
+    """
+    return read_architecture(_content(registration), str(registration.file), registration.package)
+
+
+def application_of(registration: Registration) -> ApplicationSpec:
+    """Read the file of a registered application.
+
+    Raises:
+        ConfigError: it cannot be read, with everything that is wrong.
+    """
+    return read_application(_content(registration), str(registration.file), registration.package)
+
+
+def entries(registry: Registry, kind: RegistrationKind, wanted: Taxonomy) -> List[Entry]:
+    """List what is registered of one kind.
+
+    Args:
+        registry: what was found.
+        kind: which kind.
+        wanted: lets through what fits; blanks match anything. Plugins have no taxonomy and fit only the blank.
+
+    Returns:
+        Entries by package name, each with what is wrong with it.
+    """
+    listed = [_entry(registry, registration) for registration in registry.of_kind(kind)]
+    fitting = [entry for entry in listed if wanted.accepts(entry.taxonomy or Taxonomy())]
+    return sorted(fitting, key=lambda entry: entry.registration.package)
+
+
+def described(registry: Registry, name: str) -> List[Dict[str, Any]]:
+    """Describe everything that a package registers.
+
+    Args:
+        registry: what was found.
+        name: of the package.
+
+    Returns:
+        One description for each registration, in the manifest's order; each begins with its ``kind``.
+
+    Raises:
+        DiscoveryError: nothing is registered under this name.
+        ConfigError: a file cannot be read, with everything that is wrong.
+    """
+    registry.find(name)
+    found = [registration for registration in registry.registrations if registration.package == name]
+    return [{"kind": registration.kind.value, **_description(registration)} for registration in found]
+
+
+def _description(registration: Registration) -> Dict[str, Any]:
+    if registration.kind is RegistrationKind.ARCHITECTURE:
+        return {**describe_architecture(architecture_of(registration)), "file": str(registration.file)}
+    if registration.kind is RegistrationKind.APPLICATION:
+        tasks = read_tasks(*_text(registration.tasks)) if registration.tasks else ()
+        scenario = read_scenario(*_text(registration.scenario)) if registration.scenario else None
+        described_application = describe_application(application_of(registration), tasks, scenario)
+        return {**described_application, "file": str(registration.file)}
+    return {"name": registration.package, "module": registration.plugin, "folder": str(registration.folder)}
+
+
+def _entry(registry: Registry, registration: Registration) -> Entry:
+    problems = registration.problems
+    try:
+        if registration.kind is RegistrationKind.ARCHITECTURE:
+            architecture = architecture_of(registration)
+            return Entry(registration, architecture.name, architecture.taxonomy, problems=problems)
+        if registration.kind is RegistrationKind.APPLICATION:
+            application = application_of(registration)
+            taxonomy = _taxonomy(registry, application.architecture)
+            return Entry(registration, application.name, taxonomy, application.architecture, problems)
+    except ConfigError as error:
+        problems = (*problems, *error.problems)
+    return Entry(registration, problems=tuple(sorted(set(problems))))
+
+
+def _taxonomy(registry: Registry, architecture: Optional[str]) -> Optional[Taxonomy]:
+    for registration in registry.of_kind(RegistrationKind.ARCHITECTURE):
+        if registration.package == architecture:
+            try:
+                return architecture_of(registration).taxonomy
+            except ConfigError:
+                return None
+    return None
+
+
+def _content(registration: Registration) -> bytes:
+    if registration.problems or registration.file is None:
+        raise ConfigError(registration.problems)
+    return _text(registration.file)[0]
+
+
+def _text(path: Path) -> Tuple[bytes, str]:
+    """Read a file; gives its content and the name that problems call it by."""
+    try:
+        return path.read_bytes(), str(path)
+    except OSError as error:
+        raise ConfigError([Problem(str(path), 0, "", f"cannot be read: {error.strerror}")]) from error
