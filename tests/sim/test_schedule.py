@@ -36,7 +36,7 @@ def test_schedule_takes_rates_below_one_and_fractions():
 def test_schedule_keeps_its_rate_without_drift(control_rate, share, ticks):
     rate = max(0.01, share * control_rate)
     moments = due(rate, control_rate, ticks)
-    assert abs(len(moments) - ticks * rate / control_rate) <= 1.0 + ticks / control_rate * 0.001
+    assert abs(len(moments) - ticks * rate / control_rate) <= 1.0 + ticks / control_rate * 1e-6
     gaps = {later - earlier for earlier, later in zip(moments, moments[1:])}
     assert not gaps or max(gaps) - min(gaps) <= 1
 

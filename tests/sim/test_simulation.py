@@ -90,6 +90,14 @@ def test_simulation_commands_the_world_what_robots_heard():
     assert world.steps == 1
 
 
+def test_simulation_of_no_robots_runs_and_says_nothing():
+    simulated = simulation(scenario(robots=(), world="bullet"))
+    try:
+        assert play(simulated, 3) == [([], []), ([], []), ([], [])]
+    finally:
+        simulated.close()
+
+
 def test_event_happens_at_its_tick_or_at_the_next_one():
     first, second = ScenarioEvent(0.05, STOPS, "robot1"), ScenarioEvent(0.11, STOPS, "robot2")
     played = play(simulation(scenario(first, second)), 5)
