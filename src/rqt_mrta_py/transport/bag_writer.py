@@ -28,6 +28,7 @@ _DATA_LENGTH_AT = 86
 _DATA_LENGTH = struct.pack("<L", 4027)
 """Magic (13 bytes), a header of 4 + 69 bytes, then this length of the padding: the first chunk begins at 4117."""
 
+_END_OF_TIME_NS = 2**32 * 10**9
 _NEVER = 2**62
 _CHUNK_BYTES = 768 * 1024
 """When a chunk is closed before its second is over, as rosbag does."""
@@ -93,6 +94,11 @@ class BagWriter:
         connection, receipt_ns, raw = stamped
         if self._writer.bio is None:
             raise TransportError(f"{self.path}: is closed; a message of {connection.topic} came too late")
+        if not 0 <= receipt_ns < _END_OF_TIME_NS:
+            raise TransportError(
+                f"{self.path}: a message of {connection.topic} at {receipt_ns} ns cannot be written; a bag holds times "
+                f"from 0 to below {_END_OF_TIME_NS} ns"
+            )
         chunk = self._writer.chunks[-1]
         if (
             self._checkpoint_ns is None

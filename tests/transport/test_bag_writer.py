@@ -1,0 +1,281 @@
+from __future__ import annotations
+
+import json
+import os
+import struct
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any, List
+
+import pytest
+
+from rqt_mrta_py.errors import TransportError
+from rqt_mrta_py.hooks import Connection, Stamped
+from rqt_mrta_py.transport import BagWriter, Compression, RosCodec, read_bag, read_bag_info
+from tests.transport.support import ROOT, ROS_PYTHON, lookup, require_ros, run_ros
+
+COMPRESSIONS = list(Compression)
+SECOND = 10**9
+
+
+def mission(count: int = 600) -> List[Stamped]:
+    """A stream of four connections: a latched one, two publishers of one topic, one with numbers in it."""
+    codec = RosCodec(lookup)
+    connections = [
+        codec.connection("/mrta/mission", "std_msgs/String", "/supervisor", latched=True),
+        codec.connection("/chatter", "std_msgs/String", "/robot1/agent"),
+        codec.connection("/chatter", "std_msgs/String", "/robot2/agent"),
+        codec.connection("/robot1/pose", "geometry_msgs/PoseStamped", "/robot1/driver"),
+    ]
+    stream = [Stamped(connections[0], SECOND, codec.encode("std_msgs/String", {"data": "mission"}))]
+    for number in range(count):
+        connection = connections[1 + number % 3]
+        fields = (
+            {"data": f"hello {number}"}
+            if number % 3 < 2
+            else {"header": {"stamp": 1 + number / 100, "frame_id": "map"}}
+        )
+        stream.append(Stamped(connection, SECOND + number * 10_000_000, codec.encode(connection.type, fields)))
+    return stream
+
+
+def names(folder: Path) -> List[str]:
+    return sorted(path.name for path in folder.iterdir())
+
+
+@pytest.mark.parametrize("compression", COMPRESSIONS)
+def test_what_is_written_is_read_back(tmp_path: Path, compression: Compression) -> None:
+    stream = mission()
+    with BagWriter(tmp_path / "m.bag", compression) as writer:
+        for stamped in stream:
+            writer.write(stamped)
+    assert list(read_bag(tmp_path / "m.bag")) == stream
+    assert names(tmp_path) == ["m.bag"]
+
+
+def test_the_file_header_has_the_length_that_ros_gives_it(tmp_path: Path) -> None:
+    with BagWriter(tmp_path / "m.bag") as writer:
+        for stamped in mission(5):
+            writer.write(stamped)
+    raw = (tmp_path / "m.bag").read_bytes()
+    assert raw.startswith(b"#ROSBAG V2.0\n" + struct.pack("<L", 69))
+    assert raw[86:90] == struct.pack("<L", 4027)
+    assert raw[90:4117] == b" " * 4027
+    # The first chunk: its header begins with op=5.
+    assert raw[4117 + 4 : 4117 + 12] == struct.pack("<L", 4) + b"op=\x05"
+
+
+def test_a_bag_is_active_until_it_is_closed(tmp_path: Path) -> None:
+    writer = BagWriter(tmp_path / "m.bag")
+    assert names(tmp_path) == ["m.bag.active"]
+    writer.close()
+    writer.close()
+    assert names(tmp_path) == ["m.bag"]
+    assert read_bag_info(tmp_path / "m.bag").messages == 0
+    with pytest.raises(TransportError, match="is closed; a message of /mrta/mission came too late"):
+        writer.write(mission(0)[0])
+
+
+def test_the_index_is_complete_when_the_body_raises(tmp_path: Path) -> None:
+    stream = mission(50)
+
+    def record() -> None:
+        with BagWriter(tmp_path / "m.bag") as writer:
+            for stamped in stream:
+                writer.write(stamped)
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        record()
+    assert list(read_bag(tmp_path / "m.bag")) == stream
+
+
+def test_a_write_that_is_interrupted_leaves_no_half_message(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    stream = mission(10)
+    with BagWriter(tmp_path / "m.bag", Compression.NONE) as writer:
+        for stamped in stream:
+            writer.write(stamped)
+        whole = writer._writer.write
+
+        def interrupted(target: Any, receipt_ns: int, raw: bytes) -> None:
+            whole(target, receipt_ns, raw[:3])
+            raise KeyboardInterrupt
+
+        monkeypatch.setattr(writer._writer, "write", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            writer.write(stream[1])
+    assert list(read_bag(tmp_path / "m.bag")) == stream
+
+
+def test_a_chunk_that_is_interrupted_is_written_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    stream = mission(10)
+    with BagWriter(tmp_path / "m.bag", Compression.NONE) as writer:
+        for stamped in stream:
+            writer.write(stamped)
+
+        def interrupted(raw: bytes) -> bytes:
+            raise KeyboardInterrupt
+
+        monkeypatch.setattr(writer._writer, "compressor", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            writer.checkpoint()
+        monkeypatch.undo()
+    assert list(read_bag(tmp_path / "m.bag")) == stream
+
+
+def test_an_existing_bag_is_never_overwritten(tmp_path: Path) -> None:
+    (tmp_path / "m.bag").write_bytes(b"precious")
+    with pytest.raises(TransportError, match=r"m\.bag: exists already; choose another name or remove it"):
+        BagWriter(tmp_path / "m.bag")
+    (tmp_path / "n.bag.active").write_bytes(b"precious")
+    with pytest.raises(TransportError, match=r"n\.bag\.active: cannot be written: .* exists already"):
+        BagWriter(tmp_path / "n.bag")
+    with pytest.raises(TransportError, match="cannot be written"):
+        BagWriter(tmp_path / "missing" / "m.bag")
+
+
+@pytest.mark.parametrize("receipt_ns", [-1, 2**32 * SECOND])
+def test_a_time_that_no_bag_can_hold_is_refused_and_the_bag_goes_on(tmp_path: Path, receipt_ns: int) -> None:
+    stream = mission(10)
+    with BagWriter(tmp_path / "m.bag") as writer:
+        for stamped in stream:
+            writer.write(stamped)
+        with pytest.raises(TransportError, match=f"a message of /chatter at {receipt_ns} ns cannot be written"):
+            writer.write(Stamped(stream[1].connection, receipt_ns, b""))
+        writer.write(stream[-1])
+    assert list(read_bag(tmp_path / "m.bag")) == [*stream, stream[-1]]
+
+
+def test_equal_streams_make_equal_bytes_whatever_the_objects(tmp_path: Path) -> None:
+    stream = mission()
+    copies = [
+        Stamped(
+            Connection(*[getattr(s.connection, name) for name in s.connection.__dataclass_fields__]), s[1], bytes(s[2])
+        )
+        for s in stream
+    ]
+    for name, messages in (("a", stream), ("b", copies)):
+        with BagWriter(tmp_path / name) as writer:
+            for stamped in messages:
+                writer.write(stamped)
+    assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes()
+
+
+def test_bytes_do_not_depend_on_the_hash_seed(tmp_path: Path) -> None:
+    script = (
+        "import sys, pathlib\n"
+        "from tests.transport.test_bag_writer import mission\n"
+        "from rqt_mrta_py.transport import BagWriter\n"
+        "with BagWriter(pathlib.Path(sys.argv[1])) as writer:\n"
+        "    for stamped in mission(100): writer.write(stamped)\n"
+    )
+    for seed in ("1", "2"):
+        environment = {**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": f"{ROOT / 'src'}{os.pathsep}{ROOT}"}
+        subprocess.run([sys.executable, "-c", script, str(tmp_path / seed)], check=True, env=environment, timeout=60)
+    assert (tmp_path / "1").read_bytes() == (tmp_path / "2").read_bytes()
+
+
+def test_a_chunk_holds_no_more_than_a_second_of_the_stream(tmp_path: Path) -> None:
+    with BagWriter(tmp_path / "m.bag", Compression.NONE) as writer:
+        seen = []
+        for stamped in mission(600):
+            before = writer.active_path.stat().st_size
+            writer.write(stamped)
+            if writer.active_path.stat().st_size > before:
+                seen.append(stamped.receipt_ns / SECOND)
+    assert seen == [2.0, 3.0, 4.0, 5.0, 6.0]
+
+
+def test_a_killed_recording_keeps_what_was_checkpointed(tmp_path: Path) -> None:
+    require_ros("rosbag")
+    script = (
+        "import os, sys, pathlib\n"
+        "from tests.transport.test_bag_writer import mission\n"
+        "from rqt_mrta_py.transport import BagWriter\n"
+        "writer = BagWriter(pathlib.Path(sys.argv[1]))\n"
+        "for stamped in mission(250): writer.write(stamped)\n"
+        "os._exit(9)\n"
+    )
+    environment = {**os.environ, "PYTHONPATH": f"{ROOT / 'src'}{os.pathsep}{ROOT}"}
+    subprocess.run([sys.executable, "-c", script, str(tmp_path / "m.bag")], check=False, env=environment, timeout=60)
+    active = tmp_path / "m.bag.active"
+    mended = active.rename(tmp_path / "mended.bag")
+    run_ros(["rosbag", "reindex", "-q", str(mended)])
+    assert list(read_bag(mended)) == mission(250)[:201]
+
+
+@pytest.mark.ros
+@pytest.mark.parametrize("compression", COMPRESSIONS)
+def test_ros_reads_reindexes_and_appends_to_our_bags(tmp_path: Path, compression: Compression) -> None:
+    require_ros("rosbag")
+    path = tmp_path / "m.bag"
+    stream = mission(300)
+    with BagWriter(path, compression) as writer:
+        for stamped in stream:
+            writer.write(stamped)
+    ours = [[s.connection.topic, s.connection.md5, s.receipt_ns, s.raw.hex()] for s in stream]
+
+    script = (
+        "import json, sys, rosbag\n"
+        "bag = rosbag.Bag(sys.argv[1])\n"
+        "print(json.dumps([[topic, raw[2], t.to_nsec(), raw[1].hex()]"
+        " for topic, raw, t in bag.read_messages(raw=True)]))\n"
+    )
+
+    def read_by_ros() -> Any:
+        return json.loads(run_ros([ROS_PYTHON, "-c", script, str(path)]).stdout)
+
+    assert sorted(read_by_ros()) == sorted(ours)
+    assert run_ros(["rosbag", "info", "-y", "-k", "messages", str(path)]).stdout.strip() == str(len(stream))
+    assert run_ros(["rosbag", "info", "-y", "-k", "compression", str(path)]).stdout.strip() == compression.value
+    run_ros(["rosbag", "check", str(path)])
+    run_ros(["rosbag", "reindex", "-q", str(path)])
+    assert sorted(read_by_ros()) == sorted(ours)
+    append = (
+        "import sys, rosbag, rospy\nfrom std_msgs.msg import String\n"
+        "with rosbag.Bag(sys.argv[1], 'a') as bag: bag.write('/late', String('x'), rospy.Time(100))\n"
+    )
+    run_ros([ROS_PYTHON, "-c", append, str(path)])
+    back = list(read_bag(path))
+    assert back[:-1] == stream
+    assert (back[-1].connection.topic, back[-1].receipt_ns, back[-1].raw) == ("/late", 100 * SECOND, b"\1\0\0\0x")
+
+
+@pytest.mark.ros
+def test_rosbag_plays_our_bags(tmp_path: Path) -> None:
+    require_ros("rosmaster.master")
+    path = tmp_path / "m.bag"
+    with BagWriter(path) as writer:
+        for stamped in mission(90):
+            writer.write(stamped)
+    master = (
+        "import sys\nfrom rosmaster.master import Master\n"
+        "master = Master(0); master.start(); print(master.uri, flush=True); sys.stdin.read(); master.stop()\n"
+    )
+    listener = (
+        "import rospy, threading\nfrom std_msgs.msg import String\n"
+        "heard, done = [], threading.Event()\n"
+        "def hear(message):\n"
+        "    heard.append(message.data)\n"
+        "    if len(heard) == 60: done.set()\n"
+        "rospy.init_node('listener', disable_signals=True)\n"
+        "rospy.Subscriber('/chatter', String, hear)\n"
+        "done.wait(30)\n"
+        "print(len(set(heard)))\n"
+    )
+    environment = {**os.environ, "ROS_HOSTNAME": "127.0.0.1", "ROS_HOME": str(tmp_path), "ROS_LOG_DIR": str(tmp_path)}
+    with subprocess.Popen(
+        [ROS_PYTHON, "-c", master], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment
+    ) as served:
+        assert served.stdin is not None
+        assert served.stdout is not None
+        environment["ROS_MASTER_URI"] = served.stdout.readline().strip()
+        with subprocess.Popen(
+            [ROS_PYTHON, "-c", listener], stdout=subprocess.PIPE, text=True, env=environment
+        ) as listening:
+            play = ["rosbag", "play", "-q", "--wait-for-subscribers", "--topics", "/chatter", "--bags", str(path)]
+            run_ros(play, env=environment)
+            answer, _ = listening.communicate(timeout=60)
+        served.stdin.close()
+    assert answer.strip() == "60"

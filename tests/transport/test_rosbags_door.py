@@ -1,0 +1,48 @@
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from rqt_mrta_py.errors import MissingDependencyError
+from rqt_mrta_py.transport import BagWriter, RosCodec, read_bag, rosbags_door
+from tests.transport.support import ROOT, connection
+
+
+@pytest.fixture
+def _without_rosbags(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("rosbags", "rosbags.rosbag1", "rosbags.typesys"):
+        monkeypatch.setitem(sys.modules, name, None)
+    monkeypatch.setattr(rosbags_door, "_noetic_store", rosbags_door._noetic_store.__wrapped__)
+
+
+@pytest.mark.usefixtures("_without_rosbags")
+def test_bags_and_standard_types_say_what_to_install_where_rosbags_is_missing(tmp_path: Path) -> None:
+    for attempt in (
+        lambda: list(read_bag(tmp_path / "x.bag")),
+        lambda: BagWriter(tmp_path / "x.bag"),
+        lambda: RosCodec({}.get).connection("/s", "std_msgs/String"),
+    ):
+        with pytest.raises(MissingDependencyError, match=r"install it with: pip install 'rqt_mrta_py\[bag\]'"):
+            attempt()
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.usefixtures("_without_rosbags")
+def test_messages_of_strangers_are_read_without_rosbags() -> None:
+    assert RosCodec({}.get).compile(connection("/t", "x/Y", "uint8 a"), ("a",))(b"\7") == (7,)
+
+
+def test_importing_the_room_imports_neither_rosbags_nor_ros() -> None:
+    script = "import sys, rqt_mrta_py.transport; print([n for n in ('rosbags', 'lz4', 'rospy', 'genpy') if n in sys.modules])"
+    done = subprocess.run(
+        [sys.executable, "-c", script],
+        check=True,
+        capture_output=True,
+        text=True,
+        env={"PYTHONPATH": str(ROOT / "src")},
+        timeout=60,
+    )
+    assert done.stdout.strip() == "[]"
