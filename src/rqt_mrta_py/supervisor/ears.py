@@ -125,6 +125,7 @@ class Ears:
                 what = f"{type(error).__name__}: {error}"
                 raise HookError(f"interpreter of {architecture}: {what}, hearing {heard.topic}") from error
             for sign in signs:
+                self._hear_speaker(sign.robot, heard)
                 self._statements.signed(sign, heard)
 
         return [(subscription, hear) for subscription in interpreter.subscriptions()]
