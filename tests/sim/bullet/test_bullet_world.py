@@ -50,6 +50,13 @@ def test_robot_looks_past_its_own_wheels_and_casters(world, sensor_height):
     np.testing.assert_allclose(world.ranges("r0", bearings, 10.0), across, atol=3e-3)
 
 
+@pytest.mark.parametrize("max_range", [1.0, 0.08005])
+def test_robot_sees_nothing_where_only_its_own_wheel_is_near_enough(world, max_range):
+    """The wheel begins 0.08 m to the side; a ray that ends just inside it has nothing to look on for."""
+    world.reset(setup(Pose(0.0, 0.0), model=replace(DIFF_DRIVE, sensor_height=0.05)))
+    assert np.isposinf(world.ranges("r0", np.array([math.pi / 2]), max_range)).all()
+
+
 def test_more_rays_than_one_call_takes_are_cast_all_the_same(world):
     world.reset(setup(Pose(0.0, 0.0)))
     measured = world.ranges("r0", np.zeros(20000), 10.0)

@@ -32,9 +32,6 @@ class LooseBodies:
         self._bodies: Dict[str, int] = {}
         self._holds: Dict[str, _Hold] = {}
 
-    def __contains__(self, body_id: object) -> bool:
-        return body_id in self._bodies
-
     def add(self, body: Body) -> int:
         """Build a body, whose id must not be taken.
 
