@@ -166,7 +166,14 @@ def record_of(
         tuple(allocations),
         tuple(incidents),
         tuple(sorted(events, key=lambda event: event.time)),
-        {"allocations": len(allocations), "handover_time": 3.4, "robot_busy_share": 0.62},
+        {
+            "allocations_by_outcome": {"done": 1, "gave_up": 1, "lost": 1, "yielded": 1},
+            "availability": {robot: 1.0 - 0.1 * number for number, robot in enumerate(robots)},
+            "coverage": dict.fromkeys(tasks, 0.97),
+            "reallocations": 3,
+            "time_to_first_allocation": {task: 4.2 if number else None for number, task in enumerate(tasks)},
+            "utilisation": {robot: 0.9 - 0.15 * (number % 5) for number, robot in enumerate(robots)},
+        },
     )
 
 

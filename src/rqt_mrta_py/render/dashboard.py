@@ -12,6 +12,7 @@ from rqt_mrta_py.render.charts.schedule import (
     draw_allocations,
     draw_incident_lane,
     draw_schedule_legend,
+    draw_task_legend,
     draw_task_states,
 )
 from rqt_mrta_py.render.charts.sheet import HEIGHT, WIDTH, Sheet
@@ -31,7 +32,6 @@ __all__ = ["draw_dashboard"]
 
 _BAND = 60.0
 _LEFT, _SPLIT, _CHARTS, _RIGHT = 28.0, 612.0, 772.0, WIDTH - 28.0
-_TITLE = 26.0
 _BOTTOM = HEIGHT - 66.0
 _MOST_ROBOTS, _MOST_TASKS, _MOST_TRACES = 20, 14, 12
 
@@ -72,12 +72,12 @@ def _draw_band(sheet: Sheet) -> None:
 
 def _draw_left(sheet: Sheet) -> None:
     sheet.title(_LEFT, 82.0, "Paths")
-    sheet.text(_LEFT + 60.0, 83.0, "in the colour of the task held; grey without one", Style(12), MUTED)
+    sheet.text(_LEFT + 60.0, 83.0, "in the colour of the task held, grey without one; ○ start", Style(12), MUTED)
     draw_paths(sheet, Box(_LEFT, 96.0, _SPLIT, 520.0))
     sheet.title(_LEFT, 546.0, "Key figures")
-    draw_figures(sheet, Box(_LEFT, 562.0, _SPLIT, 862.0))
-    sheet.title(_LEFT, 884.0, "Incidents")
-    draw_incidents(sheet, Box(_LEFT, 898.0, _SPLIT, HEIGHT - 12.0))
+    y = draw_figures(sheet, Box(_LEFT, 562.0, _SPLIT, 862.0)) + 28.0
+    sheet.title(_LEFT, y, "Incidents")
+    draw_incidents(sheet, Box(_LEFT, y + 14.0, _SPLIT, HEIGHT - 12.0))
 
 
 def _draw_right(sheet: Sheet) -> None:
@@ -94,6 +94,7 @@ def _draw_right(sheet: Sheet) -> None:
     draw_allocations(sheet, Box(_CHARTS, y, _RIGHT, bottom), robots)
     y = bottom + 16.0
     sheet.title(_SPLIT + 28.0, y, _titled("Tasks", len(record.tasks) - len(tasks)))
+    draw_task_legend(sheet, y, _RIGHT)
     y += 14.0
     bottom = y + per_task * max(len(tasks), 1)
     draw_task_states(sheet, Box(_CHARTS, y, _RIGHT, bottom), tasks)

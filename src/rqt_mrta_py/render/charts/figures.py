@@ -17,12 +17,15 @@ _CELL = Style(12)
 _LINE = 19.0
 
 
-def draw_figures(sheet: Sheet, box: Box) -> None:
+def draw_figures(sheet: Sheet, box: Box) -> float:
     """Draw what the record's statistics say: of robots and tasks as tables, anything else line by line.
 
     Args:
         sheet: drawn upon.
         box: room for it.
+
+    Returns:
+        Where it ends [pixels].
     """
     record = sheet.view.record
     robots = [robot.id for robot in record.robots]
@@ -44,8 +47,9 @@ def draw_figures(sheet: Sheet, box: Box) -> None:
         y += _LINE
     half = box.width / 2.0 - 12.0
     top = y + 2.0
-    _table(sheet, Box(box.left, top, box.left + half, box.bottom), robots, of_robots, "robot")
-    _table(sheet, Box(box.right - half, top, box.right, box.bottom), tasks, of_tasks, "task")
+    left = _table(sheet, Box(box.left, top, box.left + half, box.bottom), robots, of_robots, "robot")
+    right = _table(sheet, Box(box.right - half, top, box.right, box.bottom), tasks, of_tasks, "task")
+    return max(left, right)
 
 
 def draw_incidents(sheet: Sheet, box: Box) -> None:
@@ -75,14 +79,15 @@ def draw_incidents(sheet: Sheet, box: Box) -> None:
 
 def _table(
     sheet: Sheet, box: Box, names: Sequence[str], columns: Sequence[Tuple[str, Mapping[str, Any]]], kind: str
-) -> None:
+) -> float:
+    """Draw one row per name and one column per figure, three at most; give where it ends."""
     if not names or not columns:
-        return
+        return box.top
     columns = columns[:3]
     first = 0.34 * box.width
     width = (box.width - first) / len(columns)
     heads = [wrap(name.replace("_", " "), _HEAD, width - 8.0, 3) for name, _ in columns]
-    depth = max(len(head) for head in heads)
+    depth = max(2, *(len(head) for head in heads))
     sheet.text(box.left, box.top + (depth - 0.5) * 15.0, kind, _HEAD, MUTED)
     for index, head in enumerate(heads):
         for line, words in enumerate(head):
@@ -101,6 +106,8 @@ def _table(
         sheet.rectangle(Box(box.left, y, box.right, y + 1), GRID)
     if shown < len(names):
         sheet.text(box.left, y + _LINE / 2.0, f"+{len(names) - shown} more", _CELL, MUTED)
+        y += _LINE
+    return y
 
 
 def _counts(sheet: Sheet) -> str:
@@ -114,7 +121,7 @@ def _words(value: Any) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float):
-        return f"{value:.3g}"
+        return f"{value:.2f}" if abs(value) < 100.0 else f"{value:.5g}"
     if isinstance(value, Mapping):
         return ", ".join(f"{key} {_words(each)}".replace("_", " ") for key, each in value.items())
     if isinstance(value, (list, tuple)):

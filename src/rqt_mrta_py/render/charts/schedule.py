@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, List, Sequence, Tuple
+from typing import Any, Sequence, Tuple
 
 from rqt_mrta_py.model import Allocation, Outcome, RobotRecord, RobotState, Severity, TaskRecord, TaskState
 from rqt_mrta_py.render.canvas import Box
@@ -14,13 +14,14 @@ from rqt_mrta_py.render.palette import (
     SEVERITY_COLOURS,
     STATE_COLOURS,
     TASK_STATE_COLOURS,
+    Colour,
     readable_on,
 )
 from rqt_mrta_py.render.signs import OUTCOME_SIGNS, TASK_SIGNS
 from rqt_mrta_py.render.text import Style, shorten, text_width
 from rqt_mrta_py.render.timeline import lanes
 
-__all__ = ["draw_allocations", "draw_incident_lane", "draw_schedule_legend", "draw_task_states"]
+__all__ = ["draw_allocations", "draw_incident_lane", "draw_schedule_legend", "draw_task_legend", "draw_task_states"]
 
 _NAME = Style(13, bold=True)
 _BAR = Style(12)
@@ -103,24 +104,37 @@ def draw_task_states(sheet: Sheet, box: Box, tasks: Sequence[TaskRecord]) -> Non
                 write(axes, centre, top + height / 2.0, words, _SMALL, ha="center", color=rgb(ink))
 
 
-def draw_schedule_legend(sheet: Sheet, y: float, right: float) -> None:
-    """Explain colours and signs in one line.
+def draw_task_legend(sheet: Sheet, y: float, right: float) -> None:
+    """Explain the colours of tasks' states in one line.
 
     Args:
         sheet: drawn upon.
         y: middle of the line [pixels].
         right: end of the line [pixels].
     """
-    entries: List[Tuple[str, str, Tuple[int, int, int]]] = []
-    entries += [("■", f"robot {state.value}", STATE_COLOURS[state]) for state in RobotState]
+    _legend(sheet, y, right, [("■", state.value, TASK_STATE_COLOURS[state]) for state in TaskState])
+
+
+def draw_schedule_legend(sheet: Sheet, y: float, right: float) -> None:
+    """Explain the colours of robots' states and the signs of outcomes and incidents in one line.
+
+    Args:
+        sheet: drawn upon.
+        y: middle of the line [pixels].
+        right: end of the line [pixels].
+    """
+    entries = [("■", f"robot {state.value}", STATE_COLOURS[state]) for state in RobotState]
     entries += [(sign, outcome.value.replace("_", " "), INK) for outcome, sign in OUTCOME_SIGNS.items() if sign]
     entries += [("▲", severity.value, SEVERITY_COLOURS[severity]) for severity in Severity]
-    x = right
+    _legend(sheet, y, right, entries)
+
+
+def _legend(sheet: Sheet, y: float, right: float, entries: Sequence[Tuple[str, str, Colour]]) -> None:
     for sign, words, colour in reversed(entries):
-        sheet.text(x, y, words, _SMALL, MUTED, "right")
-        x -= text_width(words, _SMALL) + 3.0
-        sheet.text(x, y, sign, _NAME, colour, "right")
-        x -= text_width(sign, _NAME) + 12.0
+        sheet.text(right, y, words, _SMALL, MUTED, "right")
+        right -= text_width(words, _SMALL) + 3.0
+        sheet.text(right, y, sign, _NAME, colour, "right")
+        right -= text_width(sign, _NAME) + 12.0
 
 
 def _bar(sheet: Sheet, axes: Any, allocation: Allocation, place: Tuple[float, float]) -> None:
@@ -131,15 +145,14 @@ def _bar(sheet: Sheet, axes: Any, allocation: Allocation, place: Tuple[float, fl
     room = _pixels(sheet, allocation.start, allocation.end)
     per_pixel = (sheet.time.high - sheet.time.low) / (sheet.time.last - sheet.time.first)
     middle, right = top + height / 2.0, allocation.end
-    if sign and height >= _ABOVE_LEAST:
-        needed = text_width(sign, _SIGN) + 6.0
-        if room >= needed:
-            ground = RED if allocation.outcome in _BAD else colour
-            width = needed * per_pixel
-            axes.broken_barh([(right - width, width)], place, facecolors=rgb(ground))
-            ink = rgb(readable_on(ground))
-            write(axes, right - width / 2.0, middle, sign, _SIGN, ha="center", color=ink)
-            room -= needed
+    needed = text_width(sign, _SIGN) + 6.0
+    if sign and height >= _ABOVE_LEAST and room >= needed:
+        width = needed * per_pixel
+        ground = RED if allocation.outcome in _BAD else colour
+        if ground is RED:
+            axes.broken_barh([(right - width, width)], place, facecolors=rgb(RED), edgecolors="white", linewidth=0.6)
+        write(axes, right - width / 2.0, middle, sign, _SIGN, ha="center", color=rgb(readable_on(ground)))
+        room -= needed
     words = shorten(allocation.task, _BAR, room - 10.0)
     if height >= _ABOVE_LEAST and len(words) > 4:
         left = allocation.start + 5.0 * per_pixel
