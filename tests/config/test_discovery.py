@@ -132,7 +132,16 @@ def test_discovery_reports_a_broken_manifest_and_goes_on(
 
 
 def test_discovery_passes_over_folders_that_do_not_exist(tmp_path: Path) -> None:
-    assert search([tmp_path / "gone", Path()], [tmp_path / "gone"], own=[tmp_path / "gone"]).packages == {}
+    assert search([tmp_path / "gone"], [tmp_path / "gone"], own=[tmp_path / "gone"]).packages == {}
+
+
+def test_discovery_makes_relative_folders_absolute(
+    tmp_path: Path, package: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = package("src/p", application=True)
+    monkeypatch.chdir(tmp_path)
+
+    assert search([Path("src")]).find("p").folder == folder
 
 
 def test_discovery_finds_the_packages_of_this_checkout_through_the_same_search(root: Path) -> None:

@@ -127,7 +127,8 @@ def test_manifest_exports_only_from_within_its_package(manifest: Callable[..., M
 
     assert found.registrations[0].file is None
     assert messages(found) == [
-        f"5: export/rqt_mrta/@architecture: must name a file within the package (got {value!r}); begin with ${{prefix}}/"
+        f"5: export/rqt_mrta/@architecture: must name a file within the package (got {value!r}); "
+        "begin with ${prefix}/"
     ]
 
 

@@ -177,7 +177,7 @@ def _is_open_folder(entry: os.DirEntry[str]) -> bool:
 
 
 def _split(value: str) -> Iterator[Path]:
-    return (Path(part) for part in value.split(os.pathsep) if part)
+    return (Path(part).absolute() for part in value.split(os.pathsep) if part)
 
 
 def _installed() -> List[metadata.EntryPoint]:
