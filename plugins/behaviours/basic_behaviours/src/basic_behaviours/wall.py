@@ -16,7 +16,7 @@ _AHEAD = math.radians(30.0)
 _BEHIND = math.radians(130.0)
 _HALF_WINDOW = math.radians(36.0)
 _SAME_WALL = 1.6
-_LARGEST_BEND = math.radians(30.0)
+_LARGEST_BEND = math.radians(75.0)
 _OFF_LINE = 0.06
 _OFF_LINE_PER_METRE = 0.03
 
@@ -60,8 +60,8 @@ def wall_at(sight: Sight, ray: int) -> Wall:
     """Fit a wall to what the rays about one ray have met.
 
     A straight line whose nearest point is d away at bearing b is seen at bearing p at range r with
-    cos(p - b) / d = 1 / r, which is linear in cos(p) and sin(p): least squares give d and b. Where that disagrees with
-    the ray itself (a corner, a round thing), the ray is taken.
+    cos(p - b) / d = 1 / r, which is linear in cos(p) and sin(p): least squares give d and b. Where the ray itself does
+    not end on that line (a corner, a round thing), its end is taken for the wall's nearest point.
 
     Args:
         sight: what is seen.
@@ -69,7 +69,8 @@ def wall_at(sight: Sight, ray: int) -> Wall:
     """
     distance, bearing = float(sight.ranges[ray]), float(sight.bearings[ray])
     apart = np.abs(np.remainder(sight.bearings - bearing + np.pi, 2.0 * np.pi) - np.pi)
-    chosen = (apart <= _HALF_WINDOW) & (sight.ranges < _SAME_WALL * distance)
+    alike = (sight.ranges < _SAME_WALL * distance) & (sight.ranges * _SAME_WALL > distance)
+    chosen = alike & (apart <= _HALF_WINDOW)
     inverse = 1.0 / np.maximum(sight.ranges[chosen], 0.01)
     cos, sin = np.cos(sight.bearings[chosen]), np.sin(sight.bearings[chosen])
     cc, ss, cs = float(cos @ cos), float(sin @ sin), float(cos @ sin)
@@ -77,9 +78,11 @@ def wall_at(sight: Sight, ray: int) -> Wall:
     determinant = cc * ss - cs * cs
     if inverse.size >= 3 and determinant > 1e-6:
         a, b = (ss * cr - cs * sr) / determinant, (cc * sr - cs * cr) / determinant
-        fitted = math.atan2(b, a)
-        if abs(wrap_angle(fitted - bearing)) < _LARGEST_BEND:
-            return Wall(1.0 / math.hypot(a, b), fitted)
+        fitted = Wall(1.0 / max(math.hypot(a, b), 1e-6), math.atan2(b, a))
+        bend = abs(wrap_angle(fitted.bearing - bearing))
+        off_line = abs(distance * math.cos(bend) - fitted.distance)
+        if bend < _LARGEST_BEND and off_line < _OFF_LINE + _OFF_LINE_PER_METRE * distance:
+            return fitted
     return Wall(distance, bearing)
 
 

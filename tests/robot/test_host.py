@@ -1,0 +1,382 @@
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
+
+import pytest
+
+from rqt_mrta_py.errors import RobotError
+from rqt_mrta_py.hooks import (
+    BehaviourStep,
+    Command,
+    Decision,
+    Heard,
+    Outgoing,
+    Perception,
+    Situation,
+    Subscription,
+    TaskReport,
+)
+from rqt_mrta_py.model import Pose, Progress, Task, Twist
+from rqt_mrta_py.robot import HostSetup, RobotHost
+
+DIG = Task("dig1", "dig")
+MOW = Task("mow1", "mow")
+
+
+class Scripted:
+    """An agent that chooses what it is told to, and remembers what it was told."""
+
+    def __init__(self, choose: Callable[[int], Optional[str]], rate: float = 20.0) -> None:
+        self._choose = choose
+        self.rate = rate
+        self.told: List[Situation] = []
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        return (Subscription("/team", "std_msgs/String", ("data",)),)
+
+    def step(self, situation: Situation) -> Decision:
+        self.told.append(situation)
+        return Decision(self._choose(len(self.told) - 1), (Outgoing("says", "std_msgs/String", {"data": "hi"}),))
+
+
+@dataclass
+class Digger:
+    """A behaviour that plays back its steps, the last one for ever."""
+
+    steps: Sequence[BehaviourStep] = (BehaviourStep((Command("base", Twist(vx=0.5, wz=0.1)),)),)
+    wishes: Sequence[Subscription] = (Subscription("scan", "sensor_msgs/LaserScan", ("ranges",)),)
+    started: int = 0
+    stepped: int = 0
+    seen: List[Optional[Heard]] = field(default_factory=list)
+    poses: List[Optional[Pose]] = field(default_factory=list)
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        return self.wishes
+
+    def applicable(self, task: Task, perception: Perception) -> bool:
+        return True
+
+    def cost(self, task: Task, perception: Perception) -> Optional[float]:
+        return 3.5
+
+    def start(self, task: Task, perception: Perception) -> None:
+        self.started += 1
+        self.stepped = 0
+
+    def step(self, task: Task, perception: Perception) -> BehaviourStep:
+        self.seen.append(perception.newest("scan"))
+        self.poses.append(perception.pose)
+        self.stepped += 1
+        return self.steps[min(self.stepped, len(self.steps)) - 1]
+
+
+def make_host(agent: Any, tasks: Tuple[Task, ...] = (DIG, MOW), **behaviours: Any) -> RobotHost:
+    return RobotHost(
+        HostSetup("robot1", agent, {"dig": Digger(), "mow": Digger(), **behaviours}, tasks, control_rate=20)
+    )
+
+
+def hear(host: RobotHost, topic: str, fields: Mapping[str, Any], receipt: float = 1.0) -> None:
+    for wish, callback in host.listeners():
+        if wish.topic == topic:
+            callback(Heard(topic, wish.type, receipt, {path: fields[path] for path in wish.fields}))
+
+
+def hear_progress(host: RobotHost, task: str, robot: str, progress: int, detail: str = "") -> None:
+    content = {"task_id": task, "robot_id": robot, "progress": progress, "detail": detail}
+    hear(host, "/mrta/task_progress", content)
+
+
+def run(host: RobotHost, ticks: int, first: int = 0) -> List[Outgoing]:
+    return [said for tick in range(first, first + ticks) for said in host.step(tick, 1.0 + tick / 20)]
+
+
+def about(said: Sequence[Outgoing], topic: str) -> List[Dict[str, Any]]:
+    return [dict(message.fields) for message in said if message.topic == topic]
+
+
+def progress_codes(said: Sequence[Outgoing]) -> List[Tuple[str, int]]:
+    return [(fields["task_id"], fields["progress"]) for fields in about(said, "/mrta/task_progress")]
+
+
+def test_host_steps_the_agent_at_its_own_rate_and_the_behaviour_every_tick() -> None:
+    agent, digger = Scripted(lambda _: "dig1", rate=7.5), Digger()
+    run(make_host(agent, dig=digger), 9)
+    # ceil(k * 20 / 7.5) = 0, 3, 6, 8
+    assert [situation.now for situation in agent.told] == pytest.approx([1.0, 1.15, 1.3, 1.4])
+    assert digger.stepped == 9
+
+
+def test_host_publishes_commands_as_a_robot_takes_them() -> None:
+    steps = (BehaviourStep((Command("base", Twist(0.5, 0.0, 0.1)), Command("gripper", 0.3))),)
+    said = make_host(Scripted(lambda _: "dig1"), dig=Digger(steps)).step(0, 1.0)
+    assert said[-2:] == [
+        Outgoing("cmd_vel", "geometry_msgs/Twist", {"linear": {"x": 0.5, "y": 0.0}, "angular": {"z": 0.1}}),
+        Outgoing("gripper/command", "std_msgs/Float64", {"data": 0.3}),
+    ]
+
+
+def test_host_stops_actuators_that_are_commanded_no_more_once() -> None:
+    steps = (BehaviourStep((Command("base", Twist(0.5)), Command("gripper", 0.3))),)
+    agent = Scripted(lambda cycle: "dig1" if cycle == 0 else "mow1" if cycle == 1 else None)
+    host = make_host(agent, dig=Digger(steps), mow=Digger((BehaviourStep((Command("base", Twist(0.2)),)),)))
+    host.step(0, 1.0)
+    switched = host.step(1, 1.05)
+    assert [fields["linear"]["x"] for fields in about(switched, "cmd_vel")] == [0.2]
+    assert about(switched, "gripper/command") == [{"data": 0.0}]
+    idle = host.step(2, 1.1)
+    assert about(idle, "cmd_vel") == [{"linear": {"x": 0.0, "y": 0.0}, "angular": {"z": 0.0}}]
+    assert about(idle, "gripper/command") == []
+    assert about(host.step(3, 1.15), "cmd_vel") == []
+
+
+def test_host_tells_of_a_task_once_when_it_starts_and_once_when_it_ends() -> None:
+    steps = (BehaviourStep(), BehaviourStep(), BehaviourStep(progress=Progress.DONE, detail="dug"))
+    agent = Scripted(lambda _: "dig1", rate=10.0)
+    host = make_host(agent, dig=Digger(steps))
+    said = run(host, 10)
+    assert about(said, "/mrta/task_progress") == [
+        {"header": {"stamp": 1.0}, "task_id": "dig1", "robot_id": "robot1", "progress": 0, "detail": ""},
+        {"header": {"stamp": 1.1}, "task_id": "dig1", "robot_id": "robot1", "progress": 1, "detail": "dug"},
+    ]
+    lines = about(said, "/rosout")
+    assert [(line["level"], line["name"], line["msg"]) for line in lines] == [
+        (2, "/robot1/agent", "robot=robot1 task=dig1 running"),
+        (2, "/robot1/agent", "robot=robot1 task=dig1 done: dug"),
+        (4, "/robot1/agent", "robot=robot1 task=dig1 chosen, but it is finished"),
+    ]
+    # Done in tick 2, told at the agent's next cycle, which is tick 4.
+    assert [list(situation.reports) for situation in agent.told] == [
+        [],
+        [],
+        [TaskReport("dig1", Progress.DONE, "dug")],
+        [],
+        [],
+    ]
+
+
+@pytest.mark.parametrize("progress", [Progress.DONE, Progress.FAILED])
+def test_host_does_not_carry_out_a_finished_task_again(progress: Progress) -> None:
+    agent, digger = Scripted(lambda _: "dig1"), Digger((BehaviourStep(progress=progress),))
+    host = make_host(agent, dig=digger)
+    run(host, 10)
+    assert digger.started == 1
+    assert host.task is None
+    assert [situation.applicable["dig1"] for situation in agent.told] == [True] + [False] * 9
+
+
+def test_host_tries_an_unreachable_task_again_when_the_agent_does() -> None:
+    agent = Scripted(lambda cycle: "dig1" if cycle in (0, 4) else None)
+    digger = Digger((BehaviourStep(progress=Progress.UNREACHABLE, detail="no way"),))
+    said = run(make_host(agent, dig=digger), 6)
+    assert progress_codes(said) == [("dig1", 0), ("dig1", 3), ("dig1", 0), ("dig1", 3)]
+    assert agent.told[1].applicable["dig1"]
+
+
+def test_host_starts_a_behaviour_anew_after_it_did_something_else() -> None:
+    agent = Scripted(lambda cycle: ["dig1", "mow1", "dig1", None, "dig1"][cycle])
+    digger = Digger()
+    said = run(make_host(agent, dig=digger), 5)
+    assert digger.started == 3
+    assert progress_codes(said) == [("dig1", 0), ("mow1", 0), ("dig1", 0), ("dig1", 0)]
+
+
+def test_host_gives_each_behaviour_what_it_subscribed_to_by_the_name_used() -> None:
+    near, far = Digger(), Digger(wishes=(Subscription("scan", "sensor_msgs/LaserScan", ("range_max",)),))
+    agent = Scripted(lambda cycle: "dig1" if cycle == 0 else "mow1")
+    host = make_host(agent, dig=near, mow=far)
+    host.step(0, 1.0)
+    hear(host, "scan", {"ranges": [1.0, 2.0], "range_max": 4.0}, receipt=1.04)
+    host.step(1, 1.05)
+    assert near.seen == [None]
+    assert far.seen[0] is not None
+    assert far.seen[0].fields == {"range_max": 4.0}
+    assert far.seen[0].receipt == 1.04
+
+
+def test_host_shares_one_listener_among_behaviours_that_wish_the_same() -> None:
+    one, other = Digger(), Digger()
+    agent = Scripted(lambda cycle: "dig1" if cycle == 0 else "mow1")
+    host = make_host(agent, dig=one, mow=other)
+    assert [wish.topic for wish, _ in host.listeners()].count("scan") == 1
+    hear(host, "scan", {"ranges": [1.0]})
+    run(host, 2)
+    assert one.seen[0] is other.seen[0] is not None
+
+
+def test_host_knows_its_pose_from_the_localiser() -> None:
+    digger, agent = Digger(), Scripted(lambda _: "dig1")
+    host = make_host(agent, dig=digger)
+    host.step(0, 1.0)
+    # A quarter turn to the left: half the angle is 45 degrees.
+    quarter = {"x": 0.0, "y": 0.0, "z": math.sqrt(0.5), "w": math.sqrt(0.5)}
+    fields = {"pose/position/x": 2.0, "pose/position/y": -1.0}
+    fields.update({f"pose/orientation/{axis}": value for axis, value in quarter.items()})
+    hear(host, "pose", fields)
+    host.step(1, 1.05)
+    assert agent.told[0].pose is None
+    assert agent.told[1].pose == digger.poses[1] == Pose(2.0, -1.0, pytest.approx(math.pi / 2))
+    hear(host, "pose", {**fields, "pose/position/x": math.nan})
+    host.step(2, 1.1)
+    assert agent.told[2].pose == agent.told[1].pose
+
+
+def test_host_hands_the_agent_what_came_since_its_last_step_in_order() -> None:
+    agent = Scripted(lambda _: None, rate=10.0)
+    host = make_host(agent)
+    host.step(0, 1.0)
+    hear(host, "/team", {"data": "a"})
+    host.step(1, 1.05)
+    hear(host, "/team", {"data": "b"})
+    run(host, 3, first=2)
+    assert [[heard.fields["data"] for heard in situation.heard] for situation in agent.told] == [[], ["a", "b"], []]
+
+
+def test_host_tells_the_agent_what_its_tasks_cost() -> None:
+    agent = Scripted(lambda _: None)
+    host = make_host(agent)
+    host.step(0, 1.0)
+    assert agent.told[0].cost("dig1") == 3.5
+    with pytest.raises(RobotError, match=r"robot1: agent Scripted asked for the cost of task 'sow1', which this robot"):
+        agent.told[0].cost("sow1")
+
+
+@pytest.mark.parametrize(
+    ("robot", "code", "told", "goes_on"),
+    [
+        ("/robot2", 0, [], True),  # RUNNING there
+        ("robot2", 1, [Progress.DONE], False),
+        ("robot2", 2, [Progress.FAILED], False),
+        ("robot2", 3, [], True),  # UNREACHABLE for robot2 only
+        ("", 4, [Progress.APPEARED], True),
+        ("", 5, [Progress.WITHDRAWN], False),
+        ("robot1", 5, [Progress.WITHDRAWN], False),
+        ("robot2", 6, [Progress.REASSIGNED], True),
+        ("robot1", 1, [], True),  # its own echo
+        ("/robot1", 0, [], True),  # its own echo
+        ("robot2", 77, [], True),  # a number that nobody has defined
+    ],
+)
+def test_host_hears_what_others_say_of_tasks(robot: str, code: int, told: List[Progress], goes_on: bool) -> None:
+    agent = Scripted(lambda _: "dig1")
+    host = make_host(agent)
+    host.step(0, 1.0)
+    hear_progress(host, "dig1", robot, code, "because")
+    said = host.step(1, 1.05)
+    assert list(agent.told[1].reports) == [TaskReport("dig1", progress, "because") for progress in told]
+    assert (host.task == "dig1") is goes_on
+    assert agent.told[1].applicable["dig1"] is goes_on
+    assert progress_codes(said) == []
+
+
+def test_host_carries_out_a_withdrawn_task_that_appears_again() -> None:
+    agent, digger = Scripted(lambda _: "dig1"), Digger()
+    host = make_host(agent, dig=digger)
+    host.step(0, 1.0)
+    hear_progress(host, "dig1", "", 5)
+    host.step(1, 1.05)
+    hear_progress(host, "dig1", "", 4)
+    host.step(2, 1.1)
+    assert digger.started == 2
+    assert host.task == "dig1"
+
+
+def test_host_paused_hears_nothing_says_nothing_and_keeps_what_it_remembers() -> None:
+    agent, digger = Scripted(lambda _: "dig1"), Digger()
+    host = make_host(agent, dig=digger)
+    hear(host, "/team", {"data": "before"})
+    hear(host, "scan", {"ranges": [1.0]})
+    host.step(0, 1.0)
+    host.pause()
+    hear(host, "/team", {"data": "meanwhile"})
+    hear(host, "scan", {"ranges": [9.0]})
+    hear_progress(host, "dig1", "robot2", 1)
+    assert run(host, 5, first=1) == []
+    host.resume()
+    said = host.step(6, 1.3)
+    assert [situation.now for situation in agent.told] == [1.0, 1.3]
+    assert agent.told[1].heard == ()
+    assert agent.told[1].reports == ()
+    assert [heard.fields["ranges"] for heard in digger.seen if heard] == [[1.0], [1.0]]
+    assert digger.started == 1
+    assert len(about(said, "cmd_vel")) == 1
+
+
+def test_host_refuses_a_task_without_a_behaviour_when_it_is_made() -> None:
+    with pytest.raises(RobotError) as caught:
+        make_host(Scripted(lambda _: None), tasks=(DIG, Task("sow1", "sow")))
+    assert str(caught.value) == ("robot1: task 'sow1': no behaviour carries out the kind 'sow'; there are 'dig', 'mow'")
+
+
+def test_host_refuses_two_tasks_of_one_id_when_it_is_made() -> None:
+    with pytest.raises(RobotError, match="robot1: two tasks with the id 'dig1'; ids must be unique"):
+        make_host(Scripted(lambda _: None), tasks=(DIG, DIG))
+
+
+def test_host_refuses_an_agent_without_a_rate_when_it_is_made() -> None:
+    with pytest.raises(RobotError, match=r"robot1: agent Scripted: a rate of 0\.0 Hz; it must be a finite number"):
+        make_host(Scripted(lambda _: None, rate=0.0))
+
+
+def test_host_refuses_a_behaviour_that_subscribes_twice_to_one_topic() -> None:
+    twice = Digger(wishes=(Subscription("scan", "", ("a",)), Subscription("scan", "", ("b",))))
+    with pytest.raises(RobotError, match="robot1: behaviour 'dig' subscribes to 'scan' twice; one subscription"):
+        make_host(Scripted(lambda _: None), dig=twice)
+
+
+def test_host_names_a_choice_that_the_robot_does_not_have() -> None:
+    host = make_host(Scripted(lambda _: "sow1"))
+    with pytest.raises(RobotError) as caught:
+        host.step(0, 1.0)
+    assert str(caught.value) == (
+        "robot1: agent Scripted chose task 'sow1', which this robot does not have; it has 'dig1', 'mow1'"
+    )
+
+
+def test_host_names_an_agent_that_raises() -> None:
+    def fail(_: int) -> Optional[str]:
+        raise KeyError("motivation")
+
+    with pytest.raises(
+        RobotError, match=r"robot1: agent Scripted failed at 1\.000 s: KeyError: 'motivation'"
+    ) as caught:
+        make_host(Scripted(fail)).step(0, 1.0)
+    assert isinstance(caught.value.__cause__, KeyError)
+
+
+@pytest.mark.parametrize("method", ["applicable", "start", "step"])
+def test_host_names_a_behaviour_that_raises(method: str) -> None:
+    digger = Digger()
+
+    def fail(*_: object) -> Any:
+        raise ValueError("bent spade")
+
+    setattr(digger, method, fail)
+    expected = r"robot1: behaviour 'dig' on task 'dig1' failed at 1\.000 s: ValueError: bent spade"
+    with pytest.raises(RobotError, match=expected) as caught:
+        make_host(Scripted(lambda _: "dig1"), dig=digger).step(0, 1.0)
+    assert isinstance(caught.value.__cause__, ValueError)
+
+
+@pytest.mark.parametrize(
+    ("step", "message"),
+    [
+        (BehaviourStep((Command("base", 0.5),)), "a command to 'base' of 0.5; it takes a Twist"),
+        (BehaviourStep((Command("gripper", Twist()),)), "a command to 'gripper' of .*; it takes a number"),
+        (BehaviourStep((Command("base", Twist(math.nan)),)), "only finite numbers are accepted"),
+        (BehaviourStep((Command("arm", 1.0), Command("arm", 2.0))), "two commands to 'arm' in one tick"),
+        (BehaviourStep(progress=Progress.WITHDRAWN), "RUNNING, DONE, FAILED, UNREACHABLE are accepted"),
+    ],
+)
+def test_host_refuses_steps_that_do_not_fit(step: BehaviourStep, message: str) -> None:
+    with pytest.raises(RobotError, match=f"robot1: behaviour 'dig' on task 'dig1' failed .*{message}"):
+        make_host(Scripted(lambda _: "dig1"), dig=Digger((step,))).step(0, 1.0)
+
+
+def test_host_refuses_ticks_that_do_not_increase() -> None:
+    host = make_host(Scripted(lambda _: None))
+    host.step(3, 1.15)
+    with pytest.raises(ValueError, match="robot1: tick 3 after tick 3; ticks must increase"):
+        host.step(3, 1.2)
