@@ -17,6 +17,8 @@ __all__ = ["Box", "Canvas", "Point", "Points", "label_size"]
 
 _SHIFT = 4
 _SCALE = 1 << _SHIFT
+# Further outside the picture fixed point would overflow [pixels].
+_FAR = 9999.0
 # From so many points on a line is slimmed, by less than a third of a pixel.
 _LONG = 8
 _SLACK = 0.3 * _SCALE
@@ -184,6 +186,8 @@ class Canvas:
         self.image[into] = (added[source] + kept[source] * self.image[into]) >> 8
 
     def _circle(self, centre: Point, radius: float, colour: Colour, width: int) -> None:
+        if abs(centre[0]) > _FAR or abs(centre[1]) > _FAR:
+            return
         x, y = round(centre[0] * _SCALE), round(centre[1] * _SCALE)
         self._cv2.circle(self.image, (x, y), round(radius * _SCALE), colour[::-1], width, self._cv2.LINE_AA, _SHIFT)
 
@@ -195,9 +199,8 @@ def label_size(text: str, style: Style) -> Tuple[int, int]:
 
 def _fixed(points: Points) -> NDArray[np.int32]:
     array: NDArray[np.float64] = np.array(points, dtype=np.float64)
-    # Far outside the picture, fixed point would overflow.
-    np.maximum(array, -9999.0, out=array)
-    np.minimum(array, 9999.0, out=array)
+    np.maximum(array, -_FAR, out=array)
+    np.minimum(array, _FAR, out=array)
     array *= _SCALE
     fixed: NDArray[np.int32] = np.rint(array, out=array).astype(np.int32)
     return fixed
