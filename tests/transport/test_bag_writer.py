@@ -12,7 +12,7 @@ import pytest
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Connection, Stamped
-from rqt_mrta_py.transport import BagWriter, Compression, RosCodec, read_bag, read_bag_info
+from rqt_mrta_py.transport import BagWriter, Compression, RosCodec, bag_writer, read_bag, read_bag_info
 from tests.transport.support import ROOT, ROS_PYTHON, lookup, require_ros, run_ros
 
 COMPRESSIONS = list(Compression)
@@ -133,6 +133,41 @@ def test_an_existing_bag_is_never_overwritten(tmp_path: Path) -> None:
         BagWriter(tmp_path / "n.bag")
     with pytest.raises(TransportError, match="cannot be written"):
         BagWriter(tmp_path / "missing" / "m.bag")
+
+
+def test_a_full_disk_is_one_clear_error_and_the_active_file_stays(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    stream = mission(150)
+
+    def full(chunk: Any) -> None:
+        raise OSError(28, "No space left on device")
+
+    def record() -> None:
+        with BagWriter(tmp_path / "m.bag") as writer:
+            monkeypatch.setattr(writer._writer, "write_chunk", lambda chunk: None)
+            writer.write(stream[0])
+            monkeypatch.setattr(writer._writer, "write_chunk", full)
+            for stamped in stream:
+                writer.write(stamped)
+
+    with pytest.raises(TransportError, match=r"m\.bag\.active: cannot be written: .*No space left on device"):
+        record()
+    assert names(tmp_path) == ["m.bag.active"]
+    assert "bag not completed" in caplog.text
+    assert "'rosbag reindex' finds what it holds" in caplog.text
+
+    writer = BagWriter(tmp_path / "n.bag")
+    monkeypatch.setattr(writer._writer, "write_connection", full)
+    monkeypatch.setattr(writer._writer, "write_chunk", full)
+    with pytest.raises(TransportError, match=r"n\.bag\.active: cannot be completed"):
+        writer.close()
+
+
+def test_another_layout_of_rosbags_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(bag_writer, "_ROSBAGS_HEADER_END", 4100)
+    with pytest.raises(TransportError, match=r"ends at byte 4109, known is 4100; install rosbags>=0\.9\.20,<0\.12"):
+        BagWriter(tmp_path / "m.bag")
 
 
 @pytest.mark.parametrize("receipt_ns", [-1, 2**32 * SECOND])

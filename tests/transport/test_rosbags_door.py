@@ -36,7 +36,10 @@ def test_messages_of_strangers_are_read_without_rosbags() -> None:
 
 
 def test_importing_the_room_imports_neither_rosbags_nor_ros() -> None:
-    script = "import sys, rqt_mrta_py.transport; print([n for n in ('rosbags', 'lz4', 'rospy', 'genpy') if n in sys.modules])"
+    script = (
+        "import sys, rqt_mrta_py.transport\n"
+        "print([name for name in ('rosbags', 'lz4', 'rospy', 'genpy') if name in sys.modules])"
+    )
     done = subprocess.run(
         [sys.executable, "-c", script],
         check=True,

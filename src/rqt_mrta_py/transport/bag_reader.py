@@ -115,13 +115,18 @@ def _opened(path: Path) -> Iterator[Any]:
         ValueError,
         struct.error,
     )
+    if not Path(path).exists():
+        raise TransportError(f"{path}: no such file; give the path of a bag")
+    reader = library.Reader(path)
     try:
-        with library.Reader(path) as reader:
-            yield reader
-    except FileNotFoundError as error:
-        raise TransportError(f"{path}: no such file; give the path of a bag") from error
+        reader.open()
+        yield reader
     except failures as error:
         raise TransportError(f"{path}: not a whole ROS 1 bag: {_reason(error)}{_remedy(error)}") from error
+    finally:
+        # Where opening fails, some versions have closed the file and some have not.
+        if reader.bio is not None:
+            reader.close()
 
 
 def _reason(error: BaseException) -> str:

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import logging
 import struct
+from contextlib import suppress
 from enum import Enum
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Dict, Optional, Tuple, Type
+from typing import Any, BinaryIO, Dict, Optional, Tuple, Type
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Connection, Stamped
@@ -69,6 +70,7 @@ class BagWriter:
         self._targets: Dict[Connection, Any] = {}
         # Sources hand in the same Connection object again and again: its identity is found faster than its value.
         self._by_identity: Dict[int, Tuple[Connection, Any]] = {}
+        self._closed = False
         self._errors = (library.WriterError, OSError, ValueError, struct.error)
         try:
             self._writer = library.Writer(self.active_path)
@@ -92,7 +94,7 @@ class BagWriter:
             TransportError: the time does not fit into a bag, the disk is full, or the bag is closed.
         """
         connection, receipt_ns, raw = stamped
-        if self._writer.bio is None:
+        if self._closed:
             raise TransportError(f"{self.path}: is closed; a message of {connection.topic} came too late")
         if not 0 <= receipt_ns < _END_OF_TIME_NS:
             raise TransportError(
@@ -148,17 +150,19 @@ class BagWriter:
         Raises:
             TransportError: the index cannot be written, or the bag cannot be renamed.
         """
-        if self._writer.bio is None:
+        if self._closed:
             return
+        self._closed = True
+        file = self._writer.bio
         try:
             self._writer.close()
             # Closing has rewritten the file header, with the wrong length.
-            with self.active_path.open("r+b") as file:
-                file.seek(_DATA_LENGTH_AT)
-                file.write(_DATA_LENGTH)
+            with self.active_path.open("r+b") as closed:
+                closed.seek(_DATA_LENGTH_AT)
+                closed.write(_DATA_LENGTH)
             self.active_path.rename(self.path)
         except self._errors as error:
-            self._writer.abort()
+            _let_go(file)
             raise TransportError(
                 f"{self.active_path}: cannot be completed: {error}; 'rosbag reindex' finds what it holds"
             ) from error
@@ -198,9 +202,10 @@ class BagWriter:
     def _lengthen_header(self) -> None:
         file = self._writer.bio
         if file.tell() != _ROSBAGS_HEADER_END:
-            self._writer.abort()
+            end = file.tell()
+            _let_go(file)
             raise TransportError(
-                f"{self.active_path}: rosbags writes a file header that ends at byte {file.tell()}, known is "
+                f"{self.active_path}: rosbags writes a file header that ends at byte {end}, known is "
                 f"{_ROSBAGS_HEADER_END}; install rosbags>=0.9.20,<0.12"
             )
         file.write(_PADDING)
@@ -208,6 +213,12 @@ class BagWriter:
         file.write(_DATA_LENGTH)
         file.seek(0, 2)
         file.flush()
+
+
+def _let_go(file: BinaryIO) -> None:
+    """Close a file that is given up; what it still holds back may not find room on the disk either."""
+    with suppress(OSError):
+        file.close()
 
 
 def _undo(chunk: Any, mark: int) -> None:
