@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, List, NamedTuple, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -108,16 +108,19 @@ class Canvas:
 
     def line(self, points: Points, colour: Colour, width: int = 1, closed: bool = False) -> None:
         """Draw a line through points."""
-        self.strokes([points], colour, width, closed)
+        self._polylines([_fixed(points)], colour, width, closed)
 
-    def strokes(self, strokes: Sequence[Points], colour: Colour, width: int = 1, closed: bool = False) -> None:
-        """Draw several lines in one colour; long ones may leave out points that nobody would miss."""
-        fixed = [_fixed(points) for points in strokes]
-        if not closed:
-            fixed = [
-                self._cv2.approxPolyDP(points, _SLACK, False) if len(points) >= _LONG else points for points in fixed
-            ]
-        self._cv2.polylines(self.image, fixed, closed, colour[::-1], width, self._cv2.LINE_AA, _SHIFT)
+    def strokes(self, strokes: Sequence[Points], colour: Colour, width: int = 1) -> None:
+        """Draw several lines in one colour."""
+        self._polylines([_fixed(points) for points in strokes], colour, width)
+
+    def broken_line(self, points: NDArray[np.float64], colour: Colour, width: int = 1) -> None:
+        """Draw a line through points (points, 2), broken wherever one is not a number."""
+        gaps = np.flatnonzero(np.isnan(points[:, 1]))
+        fixed = _fixed(points)
+        edges = [-1, *gaps.tolist(), len(points)]
+        pieces = [fixed[before + 1 : after] for before, after in zip(edges, edges[1:]) if after > before + 1]
+        self._polylines(pieces, colour, width)
 
     def dashes(self, left: float, right: float, y: float, colour: Colour, dash: int = 4) -> None:
         """Draw a dashed horizontal line, one pixel high; dashes and gaps have the same length [pixels]."""
@@ -185,6 +188,11 @@ class Canvas:
         into, source = _overlap(self.image.shape, added.shape, left, top)
         self.image[into] = (added[source] + kept[source] * self.image[into]) >> 8
 
+    def _polylines(self, lines: List[NDArray[np.int32]], colour: Colour, width: int, closed: bool = False) -> None:
+        """Draw lines, long ones without the points that nobody would miss."""
+        slim = [self._cv2.approxPolyDP(line, _SLACK, closed) if len(line) >= _LONG else line for line in lines]
+        self._cv2.polylines(self.image, slim, closed, colour[::-1], width, self._cv2.LINE_AA, _SHIFT)
+
     def _circle(self, centre: Point, radius: float, colour: Colour, width: int) -> None:
         if abs(centre[0]) > _FAR or abs(centre[1]) > _FAR:
             return
@@ -199,8 +207,9 @@ def label_size(text: str, style: Style) -> Tuple[int, int]:
 
 def _fixed(points: Points) -> NDArray[np.int32]:
     array: NDArray[np.float64] = np.array(points, dtype=np.float64)
-    np.maximum(array, -_FAR, out=array)
-    np.minimum(array, _FAR, out=array)
+    # fmax and fmin also turn what is not a number into one.
+    np.fmax(array, -_FAR, out=array)
+    np.fmin(array, _FAR, out=array)
     array *= _SCALE
     fixed: NDArray[np.int32] = np.rint(array, out=array).astype(np.int32)
     return fixed

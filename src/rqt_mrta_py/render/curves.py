@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import math
-from typing import List, Sequence, Tuple
+from typing import TYPE_CHECKING, Sequence, Tuple
 
 import numpy as np
 
 from rqt_mrta_py.hooks import Curve, CurveGroup, CurvePanel, MonitorView
-from rqt_mrta_py.render.canvas import Box, Canvas, Points
+from rqt_mrta_py.render.canvas import Box, Canvas
 from rqt_mrta_py.render.layout import CURVES, PLAIN, SMALL, TITLE, inside
 from rqt_mrta_py.render.page import Page
 from rqt_mrta_py.render.palette import FAINT, GRID, INK, MUTED, RED, WHITE
 from rqt_mrta_py.render.text import Style, shorten, text_width
 from rqt_mrta_py.render.times import Axis, TimeAxis, number
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 __all__ = ["cells", "curve_titles", "curves_boxes", "draw_curves"]
 
@@ -152,7 +155,7 @@ def _draw_group(page: Page, box: Box, group: CurveGroup, curves: CurvePanel, axi
     inner = page.canvas.part(box)
     width = 2 if box.height >= _THICK_FROM else 1
     for curve in group.curves:
-        inner.strokes(_strokes(curve, across, up), page.colours[curve.label], width)
+        inner.broken_line(_points(curve, across, up), page.colours[curve.label], width)
     if curves.reference is not None:
         inner.dashes(0.0, box.width, up(curves.reference), RED)
 
@@ -168,12 +171,13 @@ def _across(axis: TimeAxis, box: Box) -> TimeAxis:
     return TimeAxis(axis.low, axis.high, box.left, box.right - 1.0, axis.zero)
 
 
-def _strokes(curve: Curve, across: TimeAxis, up: Axis) -> List[Points]:
-    """Turn a curve into strokes, cut at NaN."""
-    times = np.array(curve.times, dtype=np.float64)
-    values = np.array(curve.values, dtype=np.float64)
-    points = np.empty((len(times), 2))
-    points[:, 0] = across.first + (times - across.low) * ((across.last - across.first) / (across.high - across.low))
-    points[:, 1] = up.first + (values / up.high).clip(0.0, 1.0) * (up.last - up.first)
-    edges = [-1, *np.flatnonzero(np.isnan(values)).tolist(), len(values)]
-    return [points[before + 1 : after] for before, after in zip(edges, edges[1:]) if after > before + 1]
+def _points(curve: Curve, across: TimeAxis, up: Axis) -> NDArray[np.float64]:
+    """Give the places of a curve's points; values beyond the axis lie on its ends, NaN stays NaN."""
+    points: NDArray[np.float64] = np.array((curve.times, curve.values), dtype=np.float64).T
+    points[:, 0] -= across.low
+    points[:, 0] *= (across.last - across.first) / (across.high - across.low)
+    points[:, 0] += across.first
+    if up.high > 0.0:
+        points[:, 1] /= up.high
+    points[:, 1] = up.first + points[:, 1].clip(0.0, 1.0) * (up.last - up.first)
+    return points
