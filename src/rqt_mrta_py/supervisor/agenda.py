@@ -7,7 +7,7 @@ from enum import IntEnum
 from heapq import heappop, heappush
 from typing import Dict, List, Tuple
 
-__all__ = ["Agenda", "Due", "Entry", "due_after"]
+__all__ = ["Agenda", "Due", "Entry", "due_after", "whole_nanoseconds"]
 
 
 class Due(IntEnum):
@@ -22,6 +22,11 @@ Entry = Tuple[Due, str, str]
 """What falls due: the kind, the robot or an empty text, the task or an empty text."""
 
 
+def whole_nanoseconds(time: float) -> float:
+    """Round a sum of times to what stamps can say [s]: a message stamped exactly then must compare equal."""
+    return round(time, 9)
+
+
 def due_after(time: float, timeout: float) -> float:
     """Say when a timeout falls due.
 
@@ -30,9 +35,9 @@ def due_after(time: float, timeout: float) -> float:
         timeout: [s].
 
     Returns:
-        The sum, rounded to whole nanoseconds [s]: a message stamped exactly then must compare equal.
+        The sum in whole nanoseconds [s].
     """
-    return round(time + timeout, 9)
+    return whole_nanoseconds(time + timeout)
 
 
 class Agenda:

@@ -6,7 +6,9 @@ import copy
 from dataclasses import dataclass
 from typing import Dict, List, Optional, Tuple
 
-from rqt_mrta_py.model import Allocation, Evidence, Outcome
+from rqt_mrta_py.hooks import Heard
+from rqt_mrta_py.model import Allocation, Outcome
+from rqt_mrta_py.supervisor.agenda import whole_nanoseconds
 
 __all__ = ["AllocationBook", "Hold"]
 
@@ -21,7 +23,7 @@ class Hold:
         robot, task: ids.
         start: when it began [s].
         order: its place among all allocations.
-        until: when it expires unless renewed [s].
+        until: when it expires unless renewed [s]; a plain sum, see ``due``.
         last: the newest message that named this robot with this task.
         expired: when it expired [s], if it did: it is then over, but nobody knows yet how it ended.
         heard: whether the robot was heard since it expired.
@@ -32,9 +34,14 @@ class Hold:
     start: float
     order: int
     until: float
-    last: Evidence
+    last: Heard
     expired: Optional[float] = None
     heard: bool = False
+
+    @property
+    def due(self) -> float:
+        """When it expires unless renewed, in whole nanoseconds [s]."""
+        return whole_nanoseconds(self.until)
 
 
 class AllocationBook:
@@ -64,7 +71,7 @@ class AllocationBook:
         """List a task's open allocations, oldest first."""
         return list(self._of_task.get(task, {}).values())
 
-    def open(self, robot: str, task: str, start: float, until: float, message: Evidence) -> Hold:
+    def open(self, robot: str, task: str, start: float, until: float, message: Heard) -> Hold:
         """Begin an allocation; there must be none open of this robot and task."""
         hold = Hold(robot, task, start, self._count, until, message)
         self._count += 1

@@ -27,11 +27,15 @@ class _Entry:
     evidence: Dict[Evidence, None] = field(default_factory=dict)
     end: Optional[float] = None
 
+    built: Optional[Incident] = None
+
     def add(self, evidence: Sequence[Evidence]) -> None:
         self.evidence.update(dict.fromkeys(evidence))
 
     def incident(self, end: float) -> Incident:
-        return Incident(
+        if self.built is not None:
+            return self.built
+        incident = Incident(
             rule=self.rule,
             severity=self.severity,
             start=self.start,
@@ -41,6 +45,9 @@ class _Entry:
             text=self.text,
             evidence=tuple(sorted(self.evidence, key=lambda each: (each.stamp, each.topic, each.index))),
         )
+        if self.end is not None:
+            self.built = incident
+        return incident
 
 
 class _Board:

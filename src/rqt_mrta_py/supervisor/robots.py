@@ -8,6 +8,7 @@ from typing import Optional
 
 from rqt_mrta_py.hooks import Heard
 from rqt_mrta_py.model import RobotInterval, RobotRecord, RobotState
+from rqt_mrta_py.supervisor.agenda import whole_nanoseconds
 from rqt_mrta_py.supervisor.timeline import Timeline
 
 __all__ = ["RobotWatch"]
@@ -45,14 +46,14 @@ class RobotWatch:
         """When the present state ends, if nothing renews it [s]; minus infinity while offline."""
         if self.state is RobotState.OFFLINE:
             return -math.inf
-        return self.busy_until if self.state is RobotState.BUSY else self.idle_until
+        return whole_nanoseconds(self.busy_until if self.state is RobotState.BUSY else self.idle_until)
 
     def renew(self, state: RobotState, until: float) -> RobotState:
         """Take in a busy or idle message.
 
         Args:
             state: BUSY or IDLE.
-            until: when the message's timeout falls due [s].
+            until: when the message's timeout falls due [s]; a plain sum, rounded when it matters.
 
         Returns:
             The state that the robot is in with this message.
@@ -65,9 +66,9 @@ class RobotWatch:
 
     def state_after(self, time: float) -> RobotState:
         """Give the state from the time on at which the present one falls due [s]."""
-        if self.busy_until > time:
+        if whole_nanoseconds(self.busy_until) > time:
             return RobotState.BUSY
-        return RobotState.IDLE if self.idle_until > time else RobotState.OFFLINE
+        return RobotState.IDLE if whole_nanoseconds(self.idle_until) > time else RobotState.OFFLINE
 
     def record(self, end: float) -> RobotRecord:
         """Give the history up to a time [s]."""

@@ -58,15 +58,20 @@ class Statements:
             heard: the message. One with a header stamp no newer than the sign that ended this allocation was late,
                 and does not begin it again.
         """
-        task = self._team.find_task(task_id)
+        team = self._team
+        hold = team.book.find(robot_id, task_id)
+        if hold is not None and hold.expired is None:
+            team.prolong(hold, timeout, heard)
+            return
+        task = team.find_task(task_id)
         if task is None or task.ended:
             return
         if not robot_id:
-            self._team.hold_anonymously(task, timeout)
+            team.hold_anonymously(task, timeout)
             return
-        robot = self._team.find_robot(robot_id)
-        if robot is not None and not self._team.book.is_late(robot_id, task_id, stamp_of(heard)):
-            self._team.hold(robot, task, timeout, heard)
+        robot = team.find_robot(robot_id)
+        if robot is not None and not team.book.is_late(robot_id, task_id, stamp_of(heard)):
+            team.hold(robot, task, timeout, heard)
 
     def signed(self, sign: AllocationSign, heard: Heard) -> None:
         """Take in what an architecture's own message says of an allocation.
@@ -79,7 +84,7 @@ class Statements:
         hold = team.book.find(sign.robot, sign.task)
         if hold is None:
             return
-        if sign.outcome is None:
+        if sign.outcome is None or sign.outcome is Outcome.OPEN:
             team.prolong(hold, self._hold, heard)
             return
         team.end(hold, sign.outcome, sign.text, signed=stamp_of(heard) or team.now)

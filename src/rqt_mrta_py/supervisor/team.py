@@ -108,10 +108,10 @@ class Team:
 
     def renew(self, robot: RobotWatch, state: RobotState, timeout: float) -> None:
         """Take in that a robot is busy or idle now, and for how long this counts [s]."""
-        after = robot.renew(state, due_after(self.now, timeout))
+        after = robot.renew(state, self.now + timeout)
         if after is not robot.state:
             self._change_robot(robot, after, self.now)
-        self.agenda.put(robot.fresh_until, robot.order, (Due.ROBOT_STATE, robot.id, ""))
+            self.agenda.put(robot.fresh_until, robot.order, (Due.ROBOT_STATE, robot.id, ""))
 
     def appear(self, task_id: str) -> None:
         """Take in that a task has arrived; one that had ended begins anew."""
@@ -163,10 +163,10 @@ class Team:
         self.update_task(task)
 
     def hold(self, robot: RobotWatch, task: TaskWatch, timeout: float, heard: Heard) -> None:
-        """Take in that a robot holds a task, and for how long this counts [s].
+        """Take in that a robot takes a task, and for how long this counts [s].
 
         Args:
-            robot: who.
+            robot: who; it does not hold the task yet, or the allocation has expired.
             task: what.
             timeout: [s].
             heard: the message that says so.
@@ -174,21 +174,16 @@ class Team:
         for expired in self.book.of_robot(robot.id):
             if expired.expired is not None:
                 self._settle(expired, task.id)
-        hold = self.book.find(robot.id, task.id)
-        if hold is not None:
-            self.prolong(hold, timeout, heard)
-            return
-        until = due_after(self.now, timeout)
-        hold = self.book.open(robot.id, task.id, self.now, until, evidence(heard))
-        self.agenda.put(until, hold.order, (Due.ALLOCATION, robot.id, task.id))
-        self._emit(AllocationStarted(self.now, robot.id, task.id, hold.last), "")
+        hold = self.book.open(robot.id, task.id, self.now, self.now + timeout, heard)
+        self.agenda.put(hold.due, hold.order, (Due.ALLOCATION, robot.id, task.id))
+        self._emit(AllocationStarted(self.now, robot.id, task.id, evidence(heard)), "")
         self.update_task(task)
 
     def prolong(self, hold: Hold, timeout: float, heard: Heard) -> None:
         """Keep an allocation going for a while [s], unless it has expired."""
         if hold.expired is None:
-            hold.until = max(hold.until, due_after(self.now, timeout))
-            hold.last = evidence(heard)
+            hold.until = max(hold.until, self.now + timeout)
+            hold.last = heard
 
     def end(
         self,
@@ -212,7 +207,7 @@ class Team:
             time = hold.expired
         time = self.now if time is None else time
         self.book.end(hold, time, outcome, signed)
-        self._emit(AllocationEnded(time, hold.robot, hold.task, hold.start, outcome, hold.last), why)
+        self._emit(AllocationEnded(time, hold.robot, hold.task, hold.start, outcome, evidence(hold.last)), why)
 
     def settle(self) -> None:
         """Say how the expired allocations ended whose robots were heard since."""
@@ -298,8 +293,8 @@ class Team:
         hold = self.book.find(robot_id, task_id)
         if hold is None or hold.expired is not None:
             return
-        if hold.until > due:
-            self.agenda.put(hold.until, hold.order, (Due.ALLOCATION, robot_id, task_id))
+        if hold.due > due:
+            self.agenda.put(hold.due, hold.order, (Due.ALLOCATION, robot_id, task_id))
         elif self.robots[robot_id].silent:
             self._lose(hold, due)
         else:

@@ -76,7 +76,7 @@ class RobotSilentWithTask:
         board.open(
             key=_key(fact.robot, fact.task),
             severity=Severity.ERROR,
-            start=last.stamp,
+            start=max(last.stamp, self._start),
             text=text if others else f"{text}; nobody has taken over",
             robots=[fact.robot],
             tasks=[fact.task],

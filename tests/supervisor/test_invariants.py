@@ -1,0 +1,180 @@
+"""What holds of every stream, however odd."""
+
+from __future__ import annotations
+
+from typing import Dict, List, Sequence, Tuple
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rqt_mrta_py.model import Mission, MissionRecord, MonitoredTopic, Outcome, Progress, TaskState
+from rqt_mrta_py.supervisor import event_lines, incident_lines, summary
+from rqt_mrta_py.supervisor.plugin import mrta_register_incident_rules, mrta_register_statistics
+from rqt_mrta_py.supervisor.tasks import FINAL, TRANSITIONS
+from tests.supervisor.mini import ALLOCATED, BUSY, Signs, Stream, mission, of_kind
+
+ROBOTS = ("robot1", "robot2", "robot3")
+TASKS = ("patrol", "inspect")
+
+Step = Tuple[float, str, str, str, str]
+
+steps = st.tuples(
+    st.sampled_from([0.0, 0.0, 0.1, 0.4, 0.5, 1.0, 1.9, 2.0, 2.1, 5.0, -1.0]),
+    st.sampled_from(["busy", "busy", "late", "idle", "odom", "tick", "sign", "progress", "nameless"]),
+    st.sampled_from(ROBOTS),
+    st.sampled_from(TASKS),
+    st.sampled_from(sorted({each.value for each in (*Progress, *Outcome)})),
+)
+streams = st.lists(steps, max_size=60)
+missions = st.sampled_from(
+    [
+        mission(),
+        mission(robots=(), tasks=()),
+        mission(allocated=[ALLOCATED, MonitoredTopic("/nameless", "", "task", timeout=1.0)], robots_a_task=2),
+        mission(busy=[MonitoredTopic(BUSY.name, BUSY.type, BUSY.field, timeout=0.0)], idle=[]),
+    ]
+)
+
+
+def listening(of: Mission) -> Stream:
+    return Stream(of, Signs(), mrta_register_incident_rules(), mrta_register_statistics())
+
+
+def play(stream: Stream, story: Sequence[Step], peeks: Sequence[float] = ()) -> None:
+    """Feed a story; ``peeks`` are moments after each message to look at on the way [s]."""
+    time = 1.0
+    for wait, kind, robot, task, word in story:
+        time = round(time + wait, 9)
+        if kind == "busy":
+            stream.busy(time, robot, task)
+        elif kind == "late":
+            stream.busy(time, robot, task, stamp=max(time - 1.0, 0.0))
+        elif kind == "idle":
+            stream.idle(time, robot, task)
+        elif kind == "odom":
+            stream.odom(time, robot)
+        elif kind == "tick":
+            stream.tick(time)
+        elif kind == "sign":
+            outcome = word if word in {each.value for each in Outcome} else ""
+            stream.sign(time, robot, task, outcome)
+        elif kind == "progress":
+            progress = Progress(word) if word in {each.value for each in Progress} else Progress.RUNNING
+            stream.progress(time, task, robot, progress)
+        else:
+            stream.say(time, "/nameless", task=task)
+        for peek in peeks:
+            stream.supervisor.record(time + peek)
+
+
+def check(record: MissionRecord) -> None:
+    assert record.start is not None
+    assert record.end is not None
+    for robot in record.robots:
+        assert robot.states[0].start == record.start
+        assert robot.states[-1].end == record.end
+        for before, after in zip(robot.states, robot.states[1:]):
+            assert before.end == after.start
+            assert before.start < before.end
+            assert before.state is not after.state
+        assert robot.last_heard is None or record.start <= robot.last_heard <= record.end
+    for task in record.tasks:
+        assert task.history[-1].end == record.end
+        assert record.start <= task.history[0].start
+        for earlier, later in zip(task.history, task.history[1:]):
+            assert earlier.end == later.start
+            assert earlier.start < earlier.end
+            assert later.state in TRANSITIONS[earlier.state] or earlier.state in FINAL
+    starts = [each.start for each in record.allocations]
+    assert starts == sorted(starts)
+    newest: Dict[Tuple[str, str], float] = {}
+    for allocation in record.allocations:
+        assert record.start <= allocation.start
+        if allocation.outcome is Outcome.OPEN:
+            assert allocation.end == record.end
+        else:
+            assert allocation.start < allocation.end <= record.end
+        pair = (allocation.robot, allocation.task)
+        assert newest.get(pair, record.start) <= allocation.start
+        newest[pair] = allocation.end
+    for incident in record.incidents:
+        assert record.start <= incident.start <= incident.end <= record.end
+
+
+@given(missions, streams)
+def test_histories_have_no_gaps_and_allocations_end_once(of: Mission, story: List[Step]) -> None:
+    stream = listening(of)
+    play(stream, story)
+    if story:
+        check(stream.supervisor.record())
+        check(stream.finish())
+
+
+@given(missions, streams)
+def test_events_tell_the_record(of: Mission, story: List[Step]) -> None:
+    stream = listening(of)
+    play(stream, story)
+    record = stream.finish()
+    assert list(record.events) == stream.events
+    for robot in record.robots:
+        times = [event.time for event in of_kind(stream.events, "robot_state") if event.robot == robot.id]
+        assert times == sorted(times)
+        told = [event.state for event in of_kind(stream.events, "robot_state") if event.robot == robot.id]
+        assert (told or ["offline"])[-1] == robot.state.value
+    for task in record.tasks:
+        said = [event.state for event in of_kind(stream.events, "task_state") if event.task == task.id]
+        assert (said or ["waiting"])[-1] == task.state.value
+    begun = len(of_kind(stream.events, "allocation_started"))
+    ended = len(of_kind(stream.events, "allocation_ended"))
+    still = sum(each.outcome is Outcome.OPEN for each in record.allocations)
+    assert begun == ended + still
+
+
+@given(missions, streams)
+def test_task_is_held_exactly_while_somebody_holds_it(of: Mission, story: List[Step]) -> None:
+    stream = listening(of)
+    play(stream, [step for step in story if step[1] != "nameless"])
+    record = stream.finish()
+    held_now = {each.task for each in record.allocations if each.outcome is Outcome.OPEN}
+    for task in record.tasks:
+        assert (task.state in (TaskState.ALLOCATED, TaskState.EXECUTING)) == (task.id in held_now)
+
+
+@given(missions, streams)
+def test_same_stream_gives_the_same_outputs(of: Mission, story: List[Step]) -> None:
+    first, second = listening(of), listening(of)
+    play(first, story)
+    play(second, story)
+    one, other = first.finish(), second.finish()
+    assert summary(one) == summary(other)
+    assert event_lines(one) == event_lines(other)
+    assert incident_lines(one) == incident_lines(other)
+    assert first.supervisor.news() == second.supervisor.news()
+
+
+@given(missions, streams, st.lists(st.sampled_from([0.0, 0.5, 2.0, 2.5, 30.0]), min_size=1, max_size=2))
+def test_looking_on_the_way_changes_nothing(of: Mission, story: List[Step], peeks: List[float]) -> None:
+    watched, alone = listening(of), listening(of)
+    play(watched, story, peeks)
+    play(alone, story)
+    assert watched.supervisor.record() == alone.supervisor.record()
+    assert watched.supervisor.news() == alone.supervisor.news()
+    assert watched.finish() == alone.finish()
+
+
+@given(missions, streams, st.sampled_from([0.0, 0.1, 2.0, 3.0, 60.0]))
+def test_record_of_a_later_moment_is_what_the_stream_tells_when_it_gets_there(
+    of: Mission, story: List[Step], later: float
+) -> None:
+    # Without rules: those look again only when the stream itself gets there.
+    ahead, there = Stream(of, Signs()), Stream(of, Signs())
+    play(ahead, story)
+    play(there, story)
+    newest = ahead.supervisor.record().end
+    if newest is None:
+        return
+    moment = round(newest + later, 9)
+    shown = ahead.supervisor.record(moment)
+    there.say(moment, "/nobody")
+    reached = there.supervisor.record()
+    assert shown == reached
