@@ -42,7 +42,7 @@ set_up() {
         read_stamp
         look_around
         # What was made ready for the tests stays so.
-        [[ ${stamped[level]:-} != test ]] || level=test
+        [[ ${stamped[level]:-} != test ]] || level="test"
         rm -f -- "$stamp"
         apt=$("$python" -I -B "$checkout/bootstrap" "$level" "$todo") || exit
         write_stamp "$level" "${apt:-${stamped[apt]}}"

@@ -1,6 +1,8 @@
 # shellcheck shell=bash
 # Which Python .venv is built on.
 
+: "${checkout:?}"
+
 # Print the interpreter to build on: the system's, else python3 from PATH; a version manager's shim comes last, resolved.
 find_python() {
     local system=$1 folder candidate

@@ -1,6 +1,8 @@
 # shellcheck shell=bash
 # ROS 1 under /opt/ros, and the checkout's place among its packages.
 
+: "${checkout:?}"
+
 # Source ROS 1 below a folder such as /opt/ros: the user's ROS_DISTRO, else the last by name.
 # A workspace that already builds on it stays as it is, for setup.bash would drop the user's overlay.
 source_ros() {

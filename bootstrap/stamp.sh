@@ -9,7 +9,7 @@
 #   sources      digest of the declared dependencies and of the bootstrap itself
 #   messages     digest of the message definitions
 
-stamp=$checkout/.venv/set-up
+stamp=${checkout:?}/.venv/set-up
 declare -A stamped=() current=()
 
 # Print what a set-up for a level has to do: nothing, messages (only generate their classes), all, or remake (from nothing).
@@ -67,7 +67,7 @@ look_at_machine() {
 # Print one checksum over the names and contents of files, given as patterns relative to the checkout.
 digest() (
     shopt -s nullglob
-    cd -- "$checkout"
+    cd -- "$checkout" || return
     # shellcheck disable=SC2206 # patterns are expanded here
     files=($*)
     sum=$(sha256sum -- /dev/null "${files[@]}" | sha256sum)
