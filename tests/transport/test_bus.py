@@ -4,7 +4,7 @@ import logging
 from typing import Any, Dict, List, Tuple
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rqt_mrta_py.errors import TransportError
@@ -379,6 +379,7 @@ ACTIONS = st.lists(
 )
 
 
+@settings(deadline=None)
 @given(ACTIONS)
 def test_each_copy_is_heard_once_when_due_in_order_of_arrival_and_number(actions: List[Tuple[str, int, int]]) -> None:
     link = ListLink()

@@ -111,7 +111,7 @@ def same(left: Any, right: Any) -> bool:
 
 
 @pytest.mark.parametrize("type_name", TYPES)
-@settings(max_examples=25)
+@settings(max_examples=25, deadline=None)
 @given(data=st.data())
 def test_codec_writes_the_bytes_that_rosbags_writes_and_reads_them_back(
     store: Any, type_name: str, data: st.DataObject

@@ -4,7 +4,7 @@ import json
 from typing import List
 
 import pytest
-from hypothesis import example, given
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rqt_mrta_py.errors import TransportError
@@ -170,6 +170,7 @@ _LINES = st.lists(
 )
 
 
+@settings(deadline=None)
 @given(_LINES)
 @example(["Other o", SEPARATOR, "MSG: pkg/Other", "uint8 a"])
 def test_parse_definition_either_understands_or_raises_transport_error(lines: List[str]) -> None:

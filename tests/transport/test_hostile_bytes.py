@@ -93,7 +93,7 @@ KINDS = ("odd/Everything", "odd/Arrays", "visualization_msgs/MarkerArray", "rqt_
 SEEDS = {name: CODEC.encode(name, {}) for name in KINDS}
 
 
-@settings(max_examples=200)
+@settings(max_examples=200, deadline=None)
 @given(
     name=st.sampled_from(KINDS),
     changes=st.lists(st.tuples(st.integers(0, 700), st.binary(min_size=1, max_size=8)), max_size=4),
