@@ -115,7 +115,7 @@ SAID: Dict[str, Tuple[str, ...]] = {
         "4: holds .inf; numbers must be finite",
         "4: holds .nan; numbers must be finite",
     ),
-    "tasks_number_key.yaml": ("2: has the key 1; keys are texts",),
+    "tasks_number_key.yaml": ("2: has the key 1; keys are texts: put it in quotes",),
     "tasks_out_of_range.yaml": (
         "4: tasks[0]/robots: must be a whole number from 1 (got 0)",
         "5: tasks[0]/expected_duration: must be a number above 0 s (got 0)",

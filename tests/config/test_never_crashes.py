@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Callable, List
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rqt_mrta_py.config import (
@@ -100,12 +100,14 @@ def reads_or_refuses(reader: Callable[[], object]) -> None:
     assert not any("\n" in str(problem) for problem in problems)
 
 
+@settings(deadline=None)
 @given(st.one_of(st.binary(max_size=300), st.text(max_size=200), documents))
 def test_xml_readers_give_a_specification_or_a_config_error(text: object) -> None:
     reads_or_refuses(lambda: read_architecture(text, "a.xml", "a"))  # type: ignore[arg-type]
     reads_or_refuses(lambda: read_application(text, "a.xml", "a"))  # type: ignore[arg-type]
 
 
+@settings(deadline=None)
 @given(st.one_of(st.binary(max_size=300), st.text(max_size=200), yaml_texts, yaml_noise))
 def test_yaml_readers_give_a_specification_or_a_config_error(text: object) -> None:
     reads_or_refuses(lambda: read_tasks(text, "t.yaml"))  # type: ignore[arg-type]
@@ -113,6 +115,7 @@ def test_yaml_readers_give_a_specification_or_a_config_error(text: object) -> No
     reads_or_refuses(lambda: parse_parameters(text, "p.yaml"))  # type: ignore[arg-type]
 
 
+@settings(deadline=None)
 @given(st.lists(st.one_of(st.text(max_size=100), documents, yaml_texts), min_size=5, max_size=5))
 def test_mission_from_texts_gives_a_mission_or_a_config_error(texts: List[str]) -> None:
     reads_or_refuses(lambda: mission_from_texts(MissionTexts(*texts[:4]), "a", "b", texts[4], None))

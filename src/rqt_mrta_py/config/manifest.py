@@ -77,7 +77,7 @@ class _Reader:
 
     def __init__(self, path: Path, name: str, problems: Problems) -> None:
         self._path = path
-        self._folder = path.parent
+        self._folder = Path(os.path.abspath(path.parent))  # noqa: PTH100 - resolve() would follow links
         self._name = name
         self._problems = problems
         self._files: Dict[str, Tuple[Path, int]] = {}
@@ -167,8 +167,7 @@ class _Reader:
             return None, problem("is empty; give a file, such as ${prefix}/rqt_mrta.xml")
         relative = value.replace("${prefix}", str(self._folder)).replace("{prefix}", str(self._folder))
         path = Path(os.path.normpath(self._folder / relative))
-        folder = Path(os.path.normpath(self._folder))
-        if folder not in path.parents or "\0" in value:
+        if self._folder not in path.parents or "\0" in value:
             return None, problem(f"must name a file within the package (got {shown(value)}); begin with ${{prefix}}/")
         if not path.is_file():
             return path, problem(f"names a file that does not exist (got {shown(value)}): {path}")

@@ -295,15 +295,21 @@ class _Resolver:
         return claims
 
     def _why_unknown(self, path: Path) -> str:
-        if path in self._groups:
+        known = [tuple(name.split("/")) for name in self.sources]
+        if path in self._groups or any(other[: len(path)] == path for other in known):
             return "is a group of parameters, not a value; give the parameters in it"
         for prefix, pattern, size in self._arrays:
-            match = (
-                pattern.match(path[len(prefix)]) if path[: len(prefix)] == prefix and len(path) > len(prefix) else None
-            )
+            inside = path[: len(prefix)] == prefix and len(path) > len(prefix)
+            match = pattern.match(path[len(prefix)]) if inside else None
             if match is not None and int(match.group(1)) >= size:
                 return f"is of element {match.group(1)}, but size is {size}; elements count from 0"
-        return f"is not known; {accepted('/'.join(path), self.sources)}"
+        depth = 0
+        while any(other[: depth + 1] == path[: depth + 1] for other in known):
+            depth += 1
+            if path[:depth] in known:
+                return f"is not known; {'/'.join(path[:depth])} is a value, not a group"
+        siblings = dict.fromkeys(other[depth] for other in known if other[:depth] == path[:depth])
+        return f"is not known; {accepted(path[depth], siblings)}"
 
     def _problem(self, path: Path, given: Given, message: str) -> None:
         robot = (self._context.robot_id,) if self._context.robot_id else ()

@@ -51,7 +51,7 @@ def find_source(registry: Registry, name: str, kind: RegistrationKind) -> Source
     """
     if any(registration.package == name for registration in registry.of_kind(kind)):
         return _from_registration(registry.find(name, kind))
-    path = Path(name)
+    path = Path(os.path.abspath(name))  # noqa: PTH100 - resolve() would follow links
     if not _is_path(name, path):
         return _from_registration(registry.find(name, kind))
     if not path.exists():
@@ -60,7 +60,7 @@ def find_source(registry: Registry, name: str, kind: RegistrationKind) -> Source
     if not (folder / _MANIFEST).is_file():
         if not (folder / _FILE).is_file() and file is None:
             raise DiscoveryError(f"{name}: holds neither {_MANIFEST} nor {_FILE}")
-        return Source(folder.resolve().name, file or folder / _FILE)
+        return Source(folder.name, file or folder / _FILE)
     manifest = read_manifest(folder / _MANIFEST)
     for registration in manifest.registrations:
         if registration.kind is kind and file in (None, registration.file):

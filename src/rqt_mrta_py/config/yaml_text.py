@@ -156,7 +156,7 @@ class _Composer:
             frame.items.append(node)
         elif frame.key is None:
             if not isinstance(node.value, str):
-                self._stop(node.line, f"has the key {shown(node.plain())}; keys are texts")
+                self._stop(node.line, f"has the key {shown(node.plain())}; keys are texts: put it in quotes")
             frame.key = node
         else:
             key, frame.key = frame.key, None
