@@ -17,7 +17,7 @@ from rqt_mrta_py.render.palette import STATE_COLOURS, Colour, TaskColours
 from rqt_mrta_py.render.spells import spells
 from tests.render import views
 
-LEFT, RIGHT = 772.0, 1572.0
+LEFT, RIGHT = 800.0, 1572.0
 
 
 def has(picture: np.ndarray, place: Tuple[float, float], colour: Colour) -> bool:

@@ -8,7 +8,7 @@ import sys
 from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
-from typing import Iterable, Tuple
+from typing import Iterable, Optional, Tuple
 
 import numpy as np
 import pytest
@@ -19,7 +19,7 @@ from rqt_mrta_py.model import Arena, Event, Incident, Obstacle, Pose, RobotState
 from rqt_mrta_py.render import draw_monitor
 from rqt_mrta_py.render.arena import draw_arena
 from rqt_mrta_py.render.canvas import Box, Canvas
-from rqt_mrta_py.render.curves import cells
+from rqt_mrta_py.render.curves import cells, share_out, value_labels
 from rqt_mrta_py.render.floor import ArenaMap, extent
 from rqt_mrta_py.render.layout import ARENA, CURVES, HEADER, HEIGHT, SIDE, TEAM, TIMELINE, WIDTH, inside, rows
 from rqt_mrta_py.render.page import Page
@@ -249,6 +249,21 @@ def test_curves_are_cut_where_a_value_is_not_a_number() -> None:
 )
 def test_cells_share_a_wide_box_sensibly(count: int, expected: Tuple[int, int]) -> None:
     assert cells(Box(0, 0, 560, 190), count) == expected
+
+
+def test_share_out_shrinks_only_the_widest() -> None:
+    assert share_out([10.0, 100.0, 20.0], 90.0) == 60.0
+    assert share_out([10.0, 100.0, 80.0], 90.0) == 40.0
+    assert share_out([10.0, 100.0, 20.0], 130.0) == 100.0
+
+
+@pytest.mark.parametrize(
+    ("top", "reference", "expected"), [(50.0, 40.0, 40.0), (1.08, 1.0, 1.0), (50.0, 5.0, 50.0), (2.0, None, 2.0)]
+)
+def test_value_axis_names_the_reference_where_it_is_close_to_the_top(
+    top: float, reference: Optional[float], expected: float
+) -> None:
+    assert value_labels(CurvePanel("", "", top, reference, ())) == (0.0, expected)
 
 
 def test_extent_without_an_arena_holds_everything_and_keeps_still() -> None:

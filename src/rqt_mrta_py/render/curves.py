@@ -18,7 +18,7 @@ from rqt_mrta_py.render.times import Axis, TimeAxis, number
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["cells", "curve_titles", "curves_boxes", "draw_curves"]
+__all__ = ["cells", "curve_titles", "curves_boxes", "draw_curves", "share_out", "value_labels"]
 
 _MOST_PANELS = 2
 _MOST_GROUPS = 12
@@ -66,6 +66,35 @@ def cells(box: Box, count: int) -> Tuple[int, int]:
 
     columns = max(range(1, count + 1), key=lambda columns: (round(size(columns), 3), -columns))
     return columns, math.ceil(count / columns)
+
+
+def share_out(widths: Sequence[float], room: float) -> float:
+    """Give the width to which the widest of some things must shrink so that all find room side by side.
+
+    Args:
+        widths: of the things.
+        room: for all of them together.
+
+    Returns:
+        The most that one of them may take; the widest's own width if all fit.
+    """
+    left = room
+    for done, width in enumerate(sorted(widths)):
+        most = left / (len(widths) - done)
+        if width > most:
+            return most
+        left -= width
+    return max(widths, default=room)
+
+
+def value_labels(curves: CurvePanel) -> Tuple[float, ...]:
+    """Give the values to be written on an axis: 0 and its top, or the reference if that is close to the top.
+
+    Args:
+        curves: the panel.
+    """
+    reference = curves.reference
+    return 0.0, reference if reference is not None and 0.8 * curves.top <= reference <= curves.top else curves.top
 
 
 def draw_curves(page: Page) -> None:
@@ -116,9 +145,8 @@ def _draw_legend(page: Page, box: Box, curves: CurvePanel) -> None:
         x -= canvas.text(x, y, f"reference {number(curves.reference)}", SMALL, INK, WHITE, anchor=1.0) + 4.0
         canvas.dashes(x - _KEY, x, y, RED, 3)
         x -= _KEY + _BETWEEN_KEYS
-    widest = (x - box.left + _BETWEEN_KEYS) / max(len(labels), 1) - _KEY - 4.0 - _BETWEEN_KEYS
-    if sum(text_width(label, SMALL) - widest for label in labels) <= 0.0:
-        widest = box.width
+    room = x - box.left - len(labels) * (_KEY + 4.0 + _BETWEEN_KEYS)
+    widest = share_out([text_width(label, SMALL) for label in labels], room)
     for done, label in enumerate(reversed(labels)):
         words = shorten(label, SMALL, max(widest, _LEAST_KEY))
         room_for_rest = 0.0 if done == len(labels) - 1 else 30.0
@@ -145,7 +173,7 @@ def _draw_axes(canvas: Canvas, box: Box, curves: CurvePanel, axis: TimeAxis, *, 
     canvas.frame(box, GRID)
     up = Axis(0.0, curves.top, box.bottom - 1.0, box.top)
     if first:
-        for value in (0.0, curves.top):
+        for value in value_labels(curves):
             canvas.text(box.left - 5, up(value), number(value), SMALL, MUTED, WHITE, anchor=1.0)
 
 

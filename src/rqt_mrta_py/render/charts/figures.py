@@ -123,7 +123,8 @@ def _words(value: Any) -> str:
     if isinstance(value, float):
         return f"{value:.2f}" if abs(value) < 100.0 else f"{value:.5g}"
     if isinstance(value, Mapping):
-        return ", ".join(f"{key} {_words(each)}".replace("_", " ") for key, each in value.items())
+        told = {key: each for key, each in value.items() if each != 0}
+        return ", ".join(f"{key} {_words(each)}".replace("_", " ") for key, each in told.items()) or "none"
     if isinstance(value, (list, tuple)):
         return ", ".join(_words(each) for each in value)
     return str(value)

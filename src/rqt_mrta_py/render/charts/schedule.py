@@ -59,7 +59,7 @@ def draw_allocations(sheet: Sheet, box: Box, robots: Sequence[RobotRecord]) -> N
     height = box.height / max(len(robots), 1)
     for index, robot in enumerate(robots):
         top = index * height
-        sheet.text(box.left - 10.0, box.top + top + height / 2.0, shorten(robot.id, _NAME, 118.0), _NAME, INK, "right")
+        sheet.text(box.left - 10.0, box.top + top + height / 2.0, shorten(robot.id, _NAME, 146.0), _NAME, INK, "right")
         strip = min(5.0, 0.18 * height)
         for state in RobotState:
             spans = [(each.start, each.end - each.start) for each in robot.states if each.state is state]
@@ -84,7 +84,7 @@ def draw_task_states(sheet: Sheet, box: Box, tasks: Sequence[TaskRecord]) -> Non
     for index, task in enumerate(tasks):
         top = index * height
         middle = box.top + top + height / 2.0
-        name = shorten(task.id, _NAME, 100.0)
+        name = shorten(task.id, _NAME, 130.0)
         sheet.text(box.left - 10.0, middle, name, _NAME, INK, "right")
         sheet.text(box.left - 18.0 - text_width(name, _NAME), middle, "◆", _NAME, sheet.colours[task.id], "right")
         for state in TaskState:

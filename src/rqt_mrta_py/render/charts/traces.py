@@ -7,6 +7,7 @@ from typing import List, Sequence, Tuple
 from rqt_mrta_py.hooks import CurveGroup, CurvePanel
 from rqt_mrta_py.render.canvas import Box
 from rqt_mrta_py.render.charts.sheet import Sheet, rgb
+from rqt_mrta_py.render.curves import value_labels
 from rqt_mrta_py.render.palette import INK, MUTED, RED
 from rqt_mrta_py.render.text import Style, shorten, text_width
 from rqt_mrta_py.render.times import number
@@ -41,15 +42,17 @@ def draw_traces(sheet: Sheet, box: Box, charts: Sequence[Tuple[CurvePanel, Curve
         top = box.top + index * height
         place = Box(box.left, top, box.right, top + height - _GAP)
         axes = sheet.time_axes(place)
-        axes.set_ylim(0.0, panel.top)
+        axes.set_ylim(0.0, panel.top if panel.top > 0.0 else 1.0)
         for curve in group.curves:
             axes.plot(curve.times, curve.values, color=rgb(sheet.colours[curve.label]), linewidth=1.2)
         if panel.reference is not None:
             axes.axhline(panel.reference, color=rgb(RED), linewidth=0.9, linestyle=(0, (4, 3)))
         sheet.text(box.left - 34.0, place.centre[1], shorten(group.label, _NAME, 96.0), _NAME, INK, "right")
-        sheet.text(box.left - 6.0, place.top + 5.0, number(panel.top), _SMALL, MUTED, "right")
-        if place.height > 24.0:
-            sheet.text(box.left - 6.0, place.bottom - 5.0, "0", _SMALL, MUTED, "right")
+        for value in value_labels(panel):
+            y = place.bottom - place.height * value / panel.top if panel.top > 0.0 else place.bottom
+            y = min(max(y, place.top + 5.0), place.bottom - 5.0)
+            if value or place.height > 24.0:
+                sheet.text(box.left - 6.0, y, number(value), _SMALL, MUTED, "right")
 
 
 def draw_traces_legend(sheet: Sheet, y: float, left: float, right: float) -> None:
