@@ -103,10 +103,36 @@ def test_compile_names_the_line_of_a_definition_that_cannot_be_understood(codec:
         codec.compile(connection("/x", "gone_msgs/Thing", "what"), ())
 
 
-def test_a_hostile_type_name_is_text_and_never_code(codec: RosCodec) -> None:
-    hostile = "x/Y'); raise SystemExit('owned"
-    with pytest.raises(TransportError, match="2 bytes do not fit"):
-        codec.compile(connection("/x", hostile, "uint8 a"), ("a",))(b"ab")
+@pytest.mark.parametrize(
+    "hostile",
+    ["x/Y'); raise SystemExit('owned", "x(): pass\nraise SystemExit\ndef y/Y", "x/%s%d", "x\0/Y", "{x}/Y", ""],
+)
+def test_a_hostile_type_name_is_text_and_never_code(codec: RosCodec, hostile: str) -> None:
+    package = hostile.partition("/")[0]
+    text = f"uint8 a\nB[] b\nB c\n{'=' * 80}\nMSG: x/B\nstring s\n"
+    made = connection("/x", hostile, text if package == "x" else "uint8 a\nstring s")
+    rest = b"\1\0\0\0\0\0\0\0" if package == "x" else b""
+    assert codec.compile(made, ("a",))(b"\7" + rest + b"\0\0\0\0") == (7,)
+    assert codec.decode(made, b"\7" + rest + b"\0\0\0\0")["a"] == 7
+    with pytest.raises(TransportError) as caught:
+        codec.decode(made, b"ab")
+    assert str(caught.value).startswith(f"{hostile}: 2 bytes do not fit")
+
+
+def test_a_hostile_package_of_a_contained_type_is_text_and_never_code(codec: RosCodec) -> None:
+    package = "x():raise(SystemExit)#"
+    text = f"B[] b\n{'=' * 80}\nMSG: {package}/B\nstring s\n"
+    made = connection("/x", f"{package}/Y", text)
+    raw = b"\1\0\0\0\1\0\0\0z"
+    assert codec.decode(made, raw) == {"b": [{"s": "z"}]}
+    assert codec.compile(made, ())(raw) == ()
+
+
+def test_contained_types_whose_names_look_alike_are_told_apart(codec: RosCodec) -> None:
+    separator = "=" * 80
+    text = f"a/b__c[] x\na__b/c[] y\n{separator}\nMSG: a/b__c\nuint8 u\n{separator}\nMSG: a__b/c\nstring s\n"
+    raw = b"\1\0\0\0\7\1\0\0\0\1\0\0\0z"
+    assert codec.decode(connection("/x", "x/Y", text), raw) == {"x": [{"u": 7}], "y": [{"s": "z"}]}
 
 
 def test_missing_fields_take_their_types_zero(codec: RosCodec) -> None:

@@ -8,7 +8,7 @@ anything is allocated, a length found in the bytes is held against the bytes tha
 from __future__ import annotations
 
 import struct
-from typing import Any, Callable, Dict, List, Optional, Sequence, Set, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.transport.definitions import Definition, Field
@@ -81,10 +81,9 @@ class _ReaderText:
         self._globals: Dict[str, Any] = {
             "Misfit": struct.error,
             "unpack": struct.unpack_from,
-            "TransportError": TransportError,
         }
         self._helpers: List[str] = []
-        self._known: Set[str] = set()
+        self._known: Dict[Tuple[str, bool], str] = {}
         self._body: List[str] = []
 
     def walk(self, paths: Sequence[Tuple[str, ...]]) -> List[str]:
@@ -97,9 +96,9 @@ class _ReaderText:
 
     def helper(self, type_name: str, keep: bool) -> str:
         """Write, once, the function that reads or steps over one element of an array of messages."""
-        name = f"{'read' if keep else 'skip'}_{type_name.replace('/', '__')}"
-        if name not in self._known:
-            self._known.add(name)
+        name = self._known.get((type_name, keep))
+        if name is None:
+            name = self._known[type_name, keep] = f"{'read' if keep else 'skip'}_{len(self._known)}"
             walk = _Walk(self, self._globals, self._sizes)
             values = walk.message(self._definition, type_name, (), [()] if keep else [])
             walk.flush()
@@ -110,10 +109,9 @@ class _ReaderText:
 
     def build(self, result: str) -> Callable[[bytes], Any]:
         """Compile the text and give the function."""
-        # Only names that the definition's grammar admits stand in the text; the root's name comes from elsewhere.
-        self._globals["misfit"] = (
-            f"{self._definition.type}: %d bytes do not fit the definition with md5 {self._definition.md5}"
-        )
+        # Of what strangers wrote, only names of fields stand in the text, and the grammar admits no code as a name.
+        misfit = f"bytes do not fit the definition with md5 {self._definition.md5}"
+        self._globals["misfit"] = lambda size: TransportError(f"{self._definition.type}: {size} {misfit}")
         text = "".join(self._helpers) + (
             "def read(raw):\n"
             "    size = len(raw)\n"
@@ -123,10 +121,10 @@ class _ReaderText:
             + f"        if pos == size:\n            return {result}\n"
             "    except Misfit:\n"
             "        pass\n"
-            "    raise TransportError(misfit % size)\n"
+            "    raise misfit(size)\n"
         )
         space = dict(self._globals)
-        exec(compile(text, f"<reader of {self._definition.type}>", "exec"), space)
+        exec(compile(text, "<reader of messages>", "exec"), space)
         function: Callable[[bytes], Any] = space["read"]
         return function
 

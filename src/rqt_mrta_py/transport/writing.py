@@ -7,7 +7,7 @@ with them is then looked up by ``faults``, off the hot path.
 from __future__ import annotations
 
 import struct
-from typing import Any, Callable, Dict, List, Mapping, Set, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.transport.definitions import Definition, Field
@@ -103,12 +103,12 @@ class _EncoderText:
             "join": b"".join,
         }
         self._helpers: List[str] = []
-        self._known: Set[str] = set()
+        self._known: Dict[str, str] = {}
 
     def build(self) -> Callable[[Mapping[str, Any]], bytes]:
         """Compile the text and give the function."""
         root = self.helper(self._definition.type)
-        exec(compile("".join(self._helpers), f"<encoder of {self._definition.type}>", "exec"), self._space)
+        exec(compile("".join(self._helpers), "<encoder of messages>", "exec"), self._space)
         function: Callable[[Mapping[str, Any]], bytes] = self._space[root]
         return function
 
@@ -120,9 +120,9 @@ class _EncoderText:
 
     def helper(self, type_name: str) -> str:
         """Write, once, the function that serialises one type."""
-        name = "write" if type_name == self._definition.type else f"write_{type_name.replace('/', '__')}"
-        if name not in self._known:
-            self._known.add(name)
+        name = self._known.get(type_name)
+        if name is None:
+            name = self._known[type_name] = f"write_{len(self._known)}"
             walk = _Walk(self, self._definition)
             walk.message(type_name, "f")
             lines = [*walk.lines, walk.result()]
