@@ -42,7 +42,7 @@ def search(
         "ROS_PACKAGE_PATH": ":".join(map(str, ros)),
         "CMAKE_PREFIX_PATH": ":".join(map(str, cmake)),
     }
-    return discover(environ, prefix, own, **{"shares": (), "entry_points": (), **rest})
+    return discover(environ, prefix, own, **{"shares": (), "distributions": (), **rest})
 
 
 def names(registry: Registry, kind: RegistrationKind = RegistrationKind.APPLICATION) -> List[str]:
@@ -116,6 +116,15 @@ def test_discovery_looks_one_level_deep_into_share_folders(tmp_path: Path, packa
     assert list(search(prefix=str(tmp_path)).packages) == ["seen"]
 
 
+def test_discovery_does_not_descend_into_a_share_folder_on_the_package_path(
+    tmp_path: Path, package: Callable[..., Path]
+) -> None:
+    package("usr/share/seen")
+    package("usr/share/doc/unseen")
+
+    assert list(search([tmp_path / "usr" / "share"]).packages) == ["seen"]
+
+
 def test_discovery_reports_a_broken_manifest_and_goes_on(
     tmp_path: Path, package: Callable[..., Path], write: Write
 ) -> None:
@@ -145,7 +154,7 @@ def test_discovery_makes_relative_folders_absolute(
 
 
 def test_discovery_finds_the_packages_of_this_checkout_through_the_same_search(root: Path) -> None:
-    registry = discover({}, prefix="/nowhere", shares=(), entry_points=())
+    registry = discover({}, prefix="/nowhere", shares=(), distributions=())
 
     assert own_packages() == (root, root / "plugins")
     assert registry.packages["rqt_mrta_py"] == root
@@ -157,32 +166,49 @@ def test_discovery_finds_the_packages_of_this_checkout_through_the_same_search(r
 def test_discovery_lets_a_package_of_the_user_stand_before_ours(package: Callable[..., Path]) -> None:
     folder = package("src/border_patrol", application=True)
 
-    registry = discover({"ROS_PACKAGE_PATH": str(folder.parent)}, prefix="/nowhere", shares=(), entry_points=())
+    registry = discover({"ROS_PACKAGE_PATH": str(folder.parent)}, prefix="/nowhere", shares=(), distributions=())
 
     assert registry.find("border_patrol").folder == folder
 
 
-def test_discovery_takes_entry_points_as_plugins(package: Callable[..., Path]) -> None:
-    folder = package("src/p", plugin="p.plugin")
-    entry_points = [
-        metadata.EntryPoint("mine", "mine.plugin:Plugin", "rqt_mrta_py"),
-        metadata.EntryPoint("again", "p.plugin", "rqt_mrta_py"),
-    ]
+@pytest.fixture
+def distribution(write: Write) -> Callable[[str, str], Path]:
+    """Write an installed distribution with entry points; give the folder that it lies in."""
 
-    registry = search([folder.parent], entry_points=entry_points)
+    def make(name: str, entry_points: str) -> Path:
+        info = f"site/{name}-1.0.dist-info"
+        write(f"{info}/METADATA", f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n")
+        return write(f"{info}/entry_points.txt", entry_points).parent.parent
+
+    return make
+
+
+def test_discovery_takes_entry_points_as_plugins_by_name(
+    package: Callable[..., Path], distribution: Callable[[str, str], Path]
+) -> None:
+    folder = package("src/p", plugin="p.plugin")
+    distribution("yard", "[rqt_mrta_py]\nsecond = yard.more:Plugin\nfirst = yard.plugin\n[console_scripts]\ny = y:y\n")
+    site = distribution("alley", "[rqt_mrta_py]\na = alley.plugin\nalready = p.plugin\n")
+
+    registry = search([folder.parent], distributions=metadata.distributions(path=[str(site), str(site)]))
 
     plugins = registry.of_kind(RegistrationKind.PLUGIN)
-    assert [(entry.package, entry.plugin) for entry in plugins] == [("p", "p.plugin"), ("mine", "mine.plugin:Plugin")]
+    assert [(entry.package, entry.plugin) for entry in plugins] == [
+        ("p", "p.plugin"),
+        ("alley", "alley.plugin"),
+        ("yard", "yard.plugin"),
+        ("yard", "yard.more:Plugin"),
+    ]
+    assert plugins[1].folder == site
 
 
-def test_discovery_reads_entry_points_of_installed_distributions(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:
-    info = write("site/yard-1.0.dist-info/METADATA", "Metadata-Version: 2.1\nName: yard\nVersion: 1.0\n").parent
-    write("site/yard-1.0.dist-info/entry_points.txt", "[rqt_mrta_py]\nyard = yard.plugin\n[console_scripts]\ny = y:y\n")
-    monkeypatch.setattr(sys, "path", [str(info.parent)])
+def test_discovery_asks_the_installed_distributions(
+    distribution: Callable[[str, str], Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    site = distribution("yard", "[rqt_mrta_py]\nyard = yard.plugin\n")
+    monkeypatch.setattr(sys, "path", [str(site)])
 
-    (entry,) = discover({}, "/nowhere", (), ()).registrations
-
-    assert (entry.package, entry.plugin, entry.folder) == ("yard", "yard.plugin", info.parent)
+    assert [entry.plugin for entry in discover({}, "/nowhere", (), ()).registrations] == ["yard.plugin"]
 
 
 def test_registry_finds_messages_of_any_package(package: Callable[..., Path], write: Write) -> None:

@@ -75,6 +75,15 @@ def test_mission_is_rebuilt_equal_from_its_texts(yard: Callable[[], Registry]) -
     assert again == mission
 
 
+def test_mission_from_texts_wants_parameters_by_robot(yard: Callable[[], Registry]) -> None:
+    texts = load_mission(yard(), "yard").texts
+    assert texts is not None
+
+    assert said(lambda: mission_from_texts(texts, "yard", "auction", "bid: 2.0", 0)) == [
+        "parameters_yaml: bid: must be a mapping (got 2.0); parameters stand by robot"
+    ]
+
+
 def test_mission_without_tasks_file_and_scenario_takes_the_application_tasks(
     yard: Callable[[], Registry], write: Write
 ) -> None:

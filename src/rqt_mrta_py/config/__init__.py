@@ -26,7 +26,7 @@ from rqt_mrta_py.config.parameters import (
     resolve_parameters,
 )
 from rqt_mrta_py.config.registration import Registration, RegistrationKind, Registry
-from rqt_mrta_py.config.robot_parameters import ParameterChecks, Team, config_name, resolve_team
+from rqt_mrta_py.config.robot_parameters import ParameterChecks, Team, config_name, resolve_shared, resolve_team
 from rqt_mrta_py.config.scenario import read_scenario
 from rqt_mrta_py.config.tasks import read_tasks
 
@@ -54,5 +54,6 @@ __all__ = [
     "read_scenario",
     "read_tasks",
     "resolve_parameters",
+    "resolve_shared",
     "resolve_team",
 ]

@@ -12,7 +12,7 @@ import re
 import sys
 from importlib import metadata
 from pathlib import Path
-from typing import Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Set, Tuple
+from typing import Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Set, Tuple
 
 from rqt_mrta_py.config.manifest import HOSTS, Manifest, read_manifest
 from rqt_mrta_py.config.registration import Registration, RegistrationKind, Registry
@@ -37,7 +37,7 @@ def discover(
     prefix: str = sys.prefix,
     own: Optional[Sequence[Path]] = None,
     shares: Sequence[Path] = _DEBIAN,
-    entry_points: Optional[Iterable[metadata.EntryPoint]] = None,
+    distributions: Optional[Iterable[metadata.Distribution]] = None,
 ) -> Registry:
     """Search for packages and for what they register; imports no plugin.
 
@@ -46,21 +46,24 @@ def discover(
         prefix: of the Python environment.
         own: folders with the packages that this project brings; None: those of this checkout or installation.
         shares: the operating system's share folders.
-        entry_points: of the group ``rqt_mrta_py``; None: those of the installed distributions.
+        distributions: whose entry points of the group ``rqt_mrta_py`` count as plugins; None: all installed ones.
 
     Returns:
         What was found. Manifests that cannot be read are reported there and skipped.
     """
     search = _Search()
     for folder in _split(environ.get("ROS_PACKAGE_PATH", "")):
-        search.crawl(folder)
+        # An installation's share folder is flat; all of /usr/share may well be on the path.
+        if folder.name == "share":
+            search.share(folder)
+        else:
+            search.crawl(folder)
     prefixes = [*_split(environ.get("CMAKE_PREFIX_PATH", "")), Path(prefix)]
     for folder in [*(entry / "share" for entry in prefixes[:-1]), *shares, prefixes[-1] / "share"]:
         search.share(folder)
     for folder in own_packages() if own is None else own:
         search.crawl(folder)
-    for entry_point in _installed() if entry_points is None else entry_points:
-        search.entry_point(entry_point)
+    search.entry_points(metadata.distributions() if distributions is None else distributions)
     _log.debug("event=discovered packages=%d registrations=%d", len(search.packages), len(search.registrations))
     return Registry(search.packages, tuple(search.registrations), tuple(sorted(set(search.problems))))
 
@@ -126,22 +129,21 @@ class _Search:
             if not any((folder / name / mark).exists() for mark in _IGNORE):
                 self._take(Path(manifest))
 
-    def entry_point(self, entry_point: Any) -> None:
-        """Take a plugin of an installed distribution."""
-        distribution = getattr(entry_point, "dist", None)
-        name = distribution.metadata["Name"] if distribution is not None else entry_point.name
-        folder = Path(str(distribution.locate_file(""))) if distribution is not None else Path()
-        if any(entry.plugin == entry_point.value for entry in self.registrations):
-            return
-        self.registrations.append(
-            Registration(
-                package=name,
-                folder=folder,
-                kind=RegistrationKind.PLUGIN,
-                plugin=entry_point.value,
-                manifest=folder / "entry_points.txt",
-            )
-        )
+    def entry_points(self, distributions: Iterable[metadata.Distribution]) -> None:
+        """Take the plugins of installed distributions, by name; of one distribution the first on the path."""
+        found: Dict[Tuple[str, str], Registration] = {}
+        for distribution in distributions:
+            for entry_point in distribution.entry_points:
+                if entry_point.group != _GROUP:
+                    continue
+                name = str(distribution.metadata["Name"])
+                folder = Path(str(distribution.locate_file("")))
+                registration = Registration(
+                    name, folder, RegistrationKind.PLUGIN, plugin=entry_point.value, manifest=folder / name
+                )
+                found.setdefault((name, entry_point.name), registration)
+        known = {registration.plugin for registration in self.registrations}
+        self.registrations.extend(found[key] for key in sorted(found) if found[key].plugin not in known)
 
     def _take(self, path: Path) -> None:
         try:
@@ -178,12 +180,3 @@ def _is_open_folder(entry: os.DirEntry[str]) -> bool:
 
 def _split(value: str) -> Iterator[Path]:
     return (Path(part).absolute() for part in value.split(os.pathsep) if part)
-
-
-def _installed() -> List[metadata.EntryPoint]:
-    found: Dict[Tuple[str, str], metadata.EntryPoint] = {}
-    for distribution in metadata.distributions():
-        for entry_point in distribution.entry_points:
-            if entry_point.group == _GROUP:
-                found.setdefault((entry_point.name, entry_point.value), entry_point)
-    return [found[key] for key in sorted(found)]

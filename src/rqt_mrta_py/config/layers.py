@@ -110,6 +110,6 @@ def _text_of(item: ParameterTemplate) -> Optional[str]:
 def _walk_node(node: YamlNode, path: Path, source: str) -> Iterator[Tuple[Path, Given]]:
     if isinstance(node.value, dict):
         for name, child in node.value.items():
-            yield from _walk_node(child, (*path, *name.strip("/").split("/")), source)
+            yield from _walk_node(child, (*path, *(part for part in name.split("/") if part)), source)
     elif node.value is not None:
         yield path, Given(node.plain(), False, source, node.line)

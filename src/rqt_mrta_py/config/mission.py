@@ -13,7 +13,7 @@ from rqt_mrta_py.config.robot_parameters import ParameterChecks, Team, resolve_t
 from rqt_mrta_py.config.scenario import read_scenario
 from rqt_mrta_py.config.source import Source, find_source, read_file
 from rqt_mrta_py.config.tasks import read_tasks
-from rqt_mrta_py.config.wording import accepted
+from rqt_mrta_py.config.wording import accepted, shown
 from rqt_mrta_py.config.xml_text import decode_xml
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ApplicationSpec, Mission, MissionTexts, ScenarioSpec, Task
@@ -108,6 +108,10 @@ def mission_from_texts(
     """
     file = read_application_file(texts.application_xml, "application_xml", application_package)
     parameters = parse_parameters(parameters_yaml, "parameters_yaml")
+    for robot, values in parameters.items():
+        if not isinstance(values, dict):
+            message = f"must be a mapping (got {shown(values)}); parameters stand by robot"
+            raise ConfigError([Problem("parameters_yaml", 0, robot, message)])
     spec, tasks, scenario = _all_of(
         lambda: read_architecture(texts.architecture_xml, "architecture_xml", architecture_package),
         lambda: _tasks(file, "application_xml", texts.tasks_yaml or None, "tasks_yaml"),

@@ -12,7 +12,7 @@ from rqt_mrta_py.config.wording import accepted
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ApplicationRobot, ApplicationSpec, ArchitectureSpec, ConfigTemplate, Task
 
-__all__ = ["ParameterChecks", "Team", "config_name", "resolve_team"]
+__all__ = ["ParameterChecks", "Team", "config_name", "resolve_shared", "resolve_team"]
 
 
 class ParameterChecks(Protocol):
@@ -90,13 +90,41 @@ def resolve_team(
     resolved: Dict[str, ResolvedParameters] = {}
     for robot in robots:
         try:
-            layers = [*_file_layers(team, robot.id), given.get(robot.id, {})]
+            names = (team.template.id, config_name(robot.id, team.template.id)) if team.template.id else ()
+            layers = [*_file_layers(team, names), given.get(robot.id, {})]
             resolved[robot.id] = resolve_parameters(team.template, layers, _context(team, robot))
         except ConfigError as error:
             problems.extend(error.problems)
             continue
         if checks is not None:
             problems.extend(_ask(checks, team, robot, resolved[robot.id]))
+    if problems:
+        raise ConfigError(problems)
+    return resolved
+
+
+def resolve_shared(team: Team) -> Dict[str, ResolvedParameters]:
+    """Resolve the configs that no single robot owns, such as ``tasks_alliance_params``.
+
+    Args:
+        team: whose; sources as of ``resolve_team``, without the command line.
+
+    Returns:
+        Parameters by id of the config, in the architecture's order.
+
+    Raises:
+        ConfigError: with everything that is wrong in any of them.
+    """
+    problems: List[Problem] = []
+    resolved: Dict[str, ResolvedParameters] = {}
+    context = _context(team, ApplicationRobot(""))
+    for template in team.architecture.configs:
+        if template.id == team.template.id:
+            continue
+        try:
+            resolved[template.id] = resolve_parameters(template, list(_file_layers(team, [template.id])), context)
+        except ConfigError as error:
+            problems.extend(error.problems)
     if problems:
         raise ConfigError(problems)
     return resolved
@@ -113,8 +141,8 @@ def _context(team: Team, robot: ApplicationRobot) -> ParameterContext:
     )
 
 
-def _file_layers(team: Team, robot_id: str) -> Iterator[Layer]:
-    names = (team.template.id, config_name(robot_id, team.template.id))
+def _file_layers(team: Team, names: Sequence[str]) -> Iterator[Layer]:
+    """Give what files say under some names of configs, later names over earlier ones, YAML over XML."""
     folder = team.application_file.parent / "config"
     if team.at_home:
         for name in names:
@@ -123,7 +151,7 @@ def _file_layers(team: Team, robot_id: str) -> Iterator[Layer]:
                     yield xml_layer(config.items, str(team.application_file))
     else:
         folder = folder / team.architecture.package
-    for name in names if team.template.id else ():
+    for name in names:
         path = folder / f"{name}.yaml"
         if path.is_file():
             yield yaml_layer(read_file(path), str(path))

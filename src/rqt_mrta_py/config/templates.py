@@ -14,7 +14,6 @@ from rqt_mrta_py.model import (
     ParameterTemplate,
     ParameterType,
     TemplateItem,
-    normalise_id,
 )
 
 __all__ = ["read_configs"]
@@ -58,7 +57,7 @@ def _read_items(parent: Element, in_map: bool) -> Tuple[TemplateItem, ...]:
     items: List[TemplateItem] = []
     lines: Dict[str, int] = {}
     for kind, _, element in parent.numbered(["param", "params", "array"]):
-        name = normalise_id(element.required("name")).rstrip("/")
+        name = "/".join(part for part in element.required("name").split("/") if part)
         item: TemplateItem
         if kind == "param":
             item = _read_parameter(element, name)
