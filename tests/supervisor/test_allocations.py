@@ -186,6 +186,13 @@ def test_reassigned_task_is_taken_from_all_others() -> None:
     ]
 
 
+def test_task_reassigned_to_the_robot_that_holds_it_goes_on() -> None:
+    stream = Stream()
+    stream.busy(1.0, "robot1", "patrol")
+    stream.progress(2.0, "patrol", "/robot1", Progress.REASSIGNED)
+    assert allocations(stream.finish()) == [("robot1", "patrol", 1.0, 2.0, "open")]
+
+
 def test_done_by_one_robot_preempts_another_on_a_single_robot_task() -> None:
     stream = Stream()
     stream.busy(1.0, "robot1", "patrol")

@@ -43,7 +43,7 @@ def test_news_tells_each_change_once_dated_when_it_happened() -> None:
         "robot_id": "robot1",
         "task_id": "patrol",
         "state": "lost",
-        "text": "robot1 fell silent and is lost to patrol",
+        "text": "robot1 fell silent and lost patrol",
     }
 
 

@@ -90,3 +90,15 @@ def test_supervisor_derives_what_the_reference_says_of_the_recording(
         "robot1 fell silent while it held patrol, last heard at 73.7 s; nobody has taken over"
     )
     assert not [event for event in events if event.kind == "unreadable"]
+
+
+def test_evidence_can_be_looked_up_in_the_bag(shared_data: Callable[[str], Path], root: Path) -> None:
+    bag = shared_data("alliance_two_robots.bag")
+    record, _ = review(bag, root, idle=True, listed=True)
+    (incident,) = record.incidents
+    for each in incident.evidence:
+        messages = list(read_bag(bag, [each.topic]))
+        assert messages[each.index].receipt_ns / 1_000_000_000 == each.stamp
+        assert each.topic.startswith("/robot1/")
+    last = incident.evidence[-1]
+    assert len(list(read_bag(bag, [last.topic]))) == last.index + 1

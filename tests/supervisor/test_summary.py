@@ -89,7 +89,7 @@ def test_event_lines_tell_every_change_in_order() -> None:
         (1.1, "robot1 is busy"),
         (1.1, "robot1 has taken patrol"),
         (1.1, "patrol is executing"),
-        (3.1, "robot1 fell silent and is lost to patrol"),
+        (3.1, "robot1 fell silent and lost patrol"),
         (3.1, "robot1 fell silent while it held patrol, last heard at 0.1 s; nobody has taken over"),
         (3.1, "patrol is waiting"),
         (3.1, "robot1 is offline"),

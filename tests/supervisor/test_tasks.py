@@ -6,7 +6,7 @@ import pytest
 
 from rqt_mrta_py.model import MonitoredTopic, Progress, TaskState
 from rqt_mrta_py.supervisor.tasks import FINAL, TRANSITIONS
-from tests.supervisor.mini import Stream, allocations, history, mission, of_kind
+from tests.supervisor.mini import ALLOCATED, Stream, allocations, history, mission, of_kind
 
 INCOMING = MonitoredTopic("/incoming", "", "task")
 COMPLETED = MonitoredTopic("/completed", "", "task", robot_field="robot")
@@ -148,6 +148,41 @@ def test_operator_who_withdraws_a_task_does_not_count_as_the_robot() -> None:
     stream.progress(1.0, "patrol", "robot1", Progress.WITHDRAWN)
     stream.progress(2.0, "inspect", "robot2", Progress.DONE)
     assert [robot.last_heard for robot in stream.finish().robots] == [None, 2.0]
+
+
+def test_report_of_an_unknown_task_or_of_none_changes_nothing() -> None:
+    stream = Stream()
+    stream.progress(1.0, "rescue", "robot1", Progress.DONE)
+    stream.progress(2.0, "", "", Progress.APPEARED)
+    record = stream.finish()
+    assert [task.id for task in record.tasks] == ["patrol", "inspect", "report"]
+    assert {task.state.value for task in record.tasks} == {"waiting"}
+
+
+def test_allocation_to_nobody_known_is_over_when_the_task_has_ended() -> None:
+    nameless = MonitoredTopic("/allocated", "", "task", timeout=9.0)
+    stream = Stream(mission(allocated=[nameless, ALLOCATED]))
+    stream.say(1.0, "/allocated", task="patrol")
+    stream.progress(2.0, "patrol", "", Progress.DONE)
+    stream.progress(3.0, "patrol", "", Progress.APPEARED)
+    stream.busy(4.0, "robot1", "patrol")
+    stream.tick(20.0)
+    assert history(stream.finish(), "patrol") == [
+        ("allocated", 1.0, 2.0),
+        ("done", 2.0, 3.0),
+        ("waiting", 3.0, 4.0),
+        ("executing", 4.0, 6.0),
+        ("waiting", 6.0, 20.0),
+    ]
+
+
+def test_ended_task_stays_ended_when_an_allocation_to_nobody_known_expires() -> None:
+    nameless = MonitoredTopic("/allocated", "", "task", timeout=3.0)
+    stream = Stream(mission(allocated=[nameless]))
+    stream.say(1.0, "/allocated", task="patrol")
+    stream.progress(2.0, "patrol", "", Progress.FAILED)
+    stream.tick(20.0)
+    assert history(stream.finish(), "patrol") == [("allocated", 1.0, 2.0), ("failed", 2.0, 20.0)]
 
 
 def test_unknown_progress_is_reported_once() -> None:

@@ -104,7 +104,7 @@ def test_time_that_jumps_back_counts_as_the_newest_time_seen() -> None:
 def test_finishing_twice_gives_the_same_record() -> None:
     stream = Stream()
     stream.busy(1.0, "robot1", "patrol")
-    assert stream.finish() is stream.finish()
+    assert stream.finish() is stream.finish() is stream.supervisor.record(9.0)
 
 
 def test_epoch_times_keep_their_expiries() -> None:

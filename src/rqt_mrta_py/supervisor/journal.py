@@ -14,7 +14,7 @@ _ENDED = {
     Outcome.FAILED: "{robot} has failed at {task}",
     Outcome.YIELDED: "{robot} has yielded {task}",
     Outcome.GAVE_UP: "{robot} has given up {task}",
-    Outcome.LOST: "{robot} fell silent and is lost to {task}",
+    Outcome.LOST: "{robot} fell silent and lost {task}",
     Outcome.PREEMPTED: "{task} was taken from {robot}",
 }
 

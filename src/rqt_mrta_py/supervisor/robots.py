@@ -14,6 +14,9 @@ from rqt_mrta_py.supervisor.timeline import Timeline
 __all__ = ["RobotWatch"]
 
 
+_NOTHING = Heard("", "", -math.inf, {})
+
+
 class RobotWatch:
     """One robot's state, how long it stays fresh, and when it was last heard.
 
@@ -32,9 +35,14 @@ class RobotWatch:
         self.timeline: Timeline[RobotState, RobotInterval] = Timeline(RobotInterval, RobotState.OFFLINE, start)
         self.busy_until = -math.inf
         self.idle_until = -math.inf
-        self.last_heard: Optional[float] = None
-        self.last_message: Optional[Heard] = None
+        self.last_message = _NOTHING
+        self.heard_at = -math.inf
         self.silent = True
+
+    @property
+    def last_heard(self) -> Optional[float]:
+        """When it was last heard [s]; None if never."""
+        return None if self.last_message is _NOTHING else self.heard_at
 
     @property
     def state(self) -> RobotState:
@@ -65,9 +73,7 @@ class RobotWatch:
         return RobotState.IDLE if self.state is RobotState.OFFLINE else self.state
 
     def state_after(self, time: float) -> RobotState:
-        """Give the state from the time on at which the present one falls due [s]."""
-        if whole_nanoseconds(self.busy_until) > time:
-            return RobotState.BUSY
+        """Give the state from the time on at which the present one falls due [s]; BUSY never follows by itself."""
         return RobotState.IDLE if whole_nanoseconds(self.idle_until) > time else RobotState.OFFLINE
 
     def record(self, end: float) -> RobotRecord:

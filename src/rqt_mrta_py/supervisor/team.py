@@ -97,7 +97,7 @@ class Team:
 
     def hear(self, robot: RobotWatch, heard: Heard) -> None:
         """Take in that a message of a robot came, on whatever topic."""
-        robot.last_heard = self.now
+        robot.heard_at = self.now
         robot.last_message = heard
         if robot.silent:
             robot.silent = False
@@ -278,9 +278,7 @@ class Team:
             self.agenda.put(robot.fresh_until, robot.order, (Due.ROBOT_STATE, robot.id, ""))
 
     def _expire_silence(self, robot: RobotWatch, due: float) -> None:
-        if robot.last_heard is None or robot.last_message is None:
-            return
-        until = due_after(robot.last_heard, self._setup.silence)
+        until = due_after(robot.heard_at, self._setup.silence)
         if until > due:
             self.agenda.put(until, robot.order, (Due.SILENCE, robot.id, ""))
             return
