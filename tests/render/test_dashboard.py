@@ -10,7 +10,7 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 
-from rqt_mrta_py.hooks import MonitorView
+from rqt_mrta_py.hooks import CurveGroup, CurvePanel, MonitorView
 from rqt_mrta_py.model import Pose, RobotState
 from rqt_mrta_py.render import draw_dashboard
 from rqt_mrta_py.render.palette import STATE_COLOURS, Colour, TaskColours
@@ -36,8 +36,14 @@ def drawn() -> np.ndarray:
 
 @pytest.mark.parametrize(
     "view",
-    [views.crowd(60.0, robots=30, tasks=25, groups=30), views.single(), views.empty()],
-    ids=["huge crowd", "single", "empty"],
+    [
+        views.crowd(60.0, robots=30, tasks=25, groups=30),
+        views.single(),
+        views.empty(),
+        replace(views.single(), panels=(CurvePanel("Flat", "m", 0.0, 0.0, (CurveGroup("", ()),)),), duration=0.0),
+        replace(views.single(), panels=(), now=40000.0),
+    ],
+    ids=["huge crowd", "single", "empty", "flat curves", "hours without curves"],
 )
 def test_dashboard_draws_1600_by_1000_whatever_there_is_to_show(view: MonitorView) -> None:
     picture = draw_dashboard(view)
@@ -69,9 +75,9 @@ def test_dashboard_gives_bars_the_tasks_colours_and_robots_their_states(drawn: n
 
 
 def test_dashboard_reads_names_literally() -> None:
-    """Dollar signs would begin mathematics, and fail where it does not parse."""
+    """Dollar signs would begin mathematics, and fail where it does not parse; glyphs may be missing."""
     view = views.single()
-    task = replace(view.record.tasks[0], id="$\\frac{$")
+    task = replace(view.record.tasks[0], id="$\\frac{$\n漢字")
     robot = replace(view.scene.robots[0], id="a$b$c", pose=Pose(0.0, 0.0))
     record = replace(view.record, tasks=(task,))
     view = replace(view, title="$\\oops{$", record=record, scene=replace(view.scene, robots=(robot,)))

@@ -32,6 +32,11 @@ def test_shorten_keeps_apart_names_that_differ_at_the_end() -> None:
     assert one != other
 
 
+def test_text_takes_a_line_break_for_a_space() -> None:
+    assert text_width("a\nb", STYLE) == text_width("a b", STYLE)
+    assert np.array_equal(mask("a\nb", STYLE)[0], mask("a b", STYLE)[0])
+
+
 def test_wrap_breaks_between_words_and_loses_none_when_there_is_room() -> None:
     words = "robot3 fell silent while it held border_protection"
     lines = wrap(words, STYLE, 160.0, 5)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING, Tuple
 
 from rqt_mrta_py.hooks import MonitorView
@@ -48,7 +49,9 @@ def draw_dashboard(view: MonitorView) -> NDArray[np.uint8]:
     Raises:
         MissingDependencyError: matplotlib, Pillow or OpenCV is not installed.
     """
-    with matplotlib("style").context("default"):
+    with matplotlib("style").context("default"), warnings.catch_warnings():
+        # Names may be in any script; what the font lacks is drawn as a box.
+        warnings.filterwarnings("ignore", "Glyph .* missing from", UserWarning)
         sheet = Sheet.of(view, _CHARTS, _RIGHT)
         _draw_band(sheet)
         _draw_left(sheet)

@@ -107,7 +107,7 @@ def mask(text: str, style: Style) -> Tuple[NDArray[np.uint8], int]:
     above, below, _ = _metrics(style)
     width = _width(text, style)
     image = pillow("Image").new("L", (max(width, 1), above + below), 0)
-    pillow("ImageDraw").Draw(image).text((1, above), text, fill=255, font=_font(style), anchor="ls")
+    pillow("ImageDraw").Draw(image).text((1, above), _one_line(text), fill=255, font=_font(style), anchor="ls")
     return np.array(image, dtype=np.uint8), above
 
 
@@ -165,9 +165,14 @@ def _bgr(colour: Colour) -> NDArray[np.float32]:
     return np.array(colour[::-1], dtype=np.float32)
 
 
+def _one_line(text: str) -> str:
+    # Pillow refuses to measure more lines than one.
+    return text.replace("\n", " ")
+
+
 @lru_cache(maxsize=4096)
 def _width(text: str, style: Style) -> int:
-    return math.ceil(_font(style).getlength(text)) + 2 if text else 0
+    return math.ceil(_font(style).getlength(_one_line(text))) + 2 if text else 0
 
 
 @lru_cache(maxsize=4096)

@@ -84,7 +84,7 @@ def draw_task_states(sheet: Sheet, box: Box, tasks: Sequence[TaskRecord]) -> Non
     for index, task in enumerate(tasks):
         top = index * height
         middle = box.top + top + height / 2.0
-        name = shorten(task.id, _NAME, 130.0)
+        name = shorten(task.id, _NAME, 136.0)
         sheet.text(box.left - 10.0, middle, name, _NAME, INK, "right")
         sheet.text(box.left - 18.0 - text_width(name, _NAME), middle, "◆", _NAME, sheet.colours[task.id], "right")
         for state in TaskState:

@@ -132,5 +132,5 @@ def write(axes: Any, x: float, y: float, words: str, style: Style, **look: Any) 
 
 
 def plain(words: str) -> str:
-    """Keep matplotlib from reading dollar signs in names as mathematics."""
-    return words.replace("$", r"\$")
+    """Keep matplotlib from reading dollar signs in names as mathematics, and from breaking lines."""
+    return words.replace("$", r"\$").replace("\n", " ")
