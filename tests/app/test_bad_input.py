@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 from pathlib import Path
-from typing import Callable, List, Tuple
+from typing import Callable, List, Optional, Tuple
 
 import pytest
 
@@ -68,9 +68,13 @@ def test_an_unknown_parameter_is_told_with_the_nearest_path(mrta: Mrta, tmp_path
 
 
 def test_a_parameter_of_the_wrong_type_is_told_with_file_and_line(mrta: Mrta, yard: Path) -> None:
-    line = edit(yard / "rqt_mrta.xml", "<id>robot1_alliance_params</id>\n      <param_0> <name>timeout_duration</name> "
-                "<type>double</type> <value>5.0</value>", "<id>robot1_alliance_params</id>\n      <param_0> "
-                "<name>timeout_duration</name> <type>double</type> <value>soon</value>")
+    line = edit(
+        yard / "rqt_mrta.xml",
+        "<id>robot1_alliance_params</id>\n      <param_0> <name>timeout_duration</name> "
+        "<type>double</type> <value>5.0</value>",
+        "<id>robot1_alliance_params</id>\n      <param_0> "
+        "<name>timeout_duration</name> <type>double</type> <value>soon</value>",
+    )
     status, lines = mrta("run", "yard")
     assert status == 3
     assert len(lines) == 1
@@ -158,7 +162,8 @@ def test_a_plugin_that_fails_to_import_is_reported_and_skipped(mrta: Mrta, stran
 
 def test_a_plugin_that_raises_where_its_answer_is_needed_stops_the_run(mrta: Mrta, stranger: Path) -> None:
     stranger.write_text(
-        "from rqt_mrta_py.hooks import hookimpl\n\n\n@hookimpl\ndef mrta_register_statistics():\n    raise RuntimeError('no')\n"
+        "from rqt_mrta_py.hooks import hookimpl\n\n\n"
+        "@hookimpl\ndef mrta_register_statistics():\n    raise RuntimeError('no')\n"
     )
     status, lines = short_run(mrta)
     assert status == 3
@@ -171,7 +176,8 @@ def test_an_observer_that_raises_is_named_and_the_run_goes_on(
     mrta: Mrta, stranger: Path, caplog: pytest.LogCaptureFixture
 ) -> None:
     stranger.write_text(
-        "from rqt_mrta_py.hooks import hookimpl\n\n\n@hookimpl\ndef mrta_on_event(event):\n    raise RuntimeError('no')\n"
+        "from rqt_mrta_py.hooks import hookimpl\n\n\n"
+        "@hookimpl\ndef mrta_on_event(event):\n    raise RuntimeError('no')\n"
     )
     status, _ = short_run(mrta)
     assert status == 0
@@ -203,7 +209,7 @@ def test_a_folder_that_is_not_empty_needs_force(mrta: Mrta, tmp_path: Path) -> N
 @pytest.mark.parametrize(
     ("name", "content"), [("missing", None), ("empty", b""), ("text", b"not a bag"), ("magic", b"#ROSBAG V2.0\n")]
 )
-def test_what_is_not_a_bag_is_told_by_name(mrta: Mrta, tmp_path: Path, name: str, content: "bytes | None") -> None:
+def test_what_is_not_a_bag_is_told_by_name(mrta: Mrta, tmp_path: Path, name: str, content: Optional[bytes]) -> None:
     bag = tmp_path / f"{name}.bag"
     if content is not None:
         bag.write_bytes(content)

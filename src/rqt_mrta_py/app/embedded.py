@@ -83,7 +83,9 @@ class EmbeddedRun:
         self.clock = RunClock(self._scenario.control_rate)
         self.last_tick = self.clock.ticks(duration)
         if self.last_tick < 1:
-            raise UsageError(f"a mission of {duration:g} s has no tick at {self._scenario.control_rate} Hz; make it longer")
+            raise UsageError(
+                f"a mission of {duration:g} s has no tick at {self._scenario.control_rate} Hz; make it longer"
+            )
         seed = mission.seed
         self._simulation = Simulation(
             scenario=self._scenario,
@@ -98,7 +100,7 @@ class EmbeddedRun:
         self._world_node = self._bus.node("/simulation")
         self._supervisor_node = self._bus.node("/supervisor")
         try:
-            self._team: List[Member] = build_team(mission, self._scenario, seed, self._simulation, self._bus, manager)
+            self._team: List[Member] = build_team(mission, seed, self._simulation, self._bus, manager)
         except BaseException:
             self._simulation.close()
             raise

@@ -1,4 +1,4 @@
-"""A mission as its message ``rqt_mrta_py/Mission`` and back, so that a bag explains itself where nothing is installed."""
+"""A mission as its message and back, so that a bag explains itself where nothing is installed."""
 
 from __future__ import annotations
 

@@ -11,6 +11,7 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence
 from rqt_mrta_py.hooks import (
     Codec,
     InterpreterSetup,
+    Listener,
     MonitorPanel,
     MonitorView,
     Outgoing,
@@ -63,7 +64,8 @@ class Observation:
         self._dispatcher = Dispatcher(codec, self.supervisor.report)
         for subscription, callback in self.supervisor.listeners():
             self._dispatcher.subscribe(subscription, callback)
-        for listener in (self._scene, *self._panels):
+        listeners: List[Listener] = [self._scene, *self._panels]
+        for listener in listeners:
             for subscription in listener.subscriptions():
                 self._dispatcher.subscribe(subscription, listener.hear)
         manager.notify("mrta_on_mission_start", mission=mission)

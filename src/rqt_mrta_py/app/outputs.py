@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import shutil
 from pathlib import Path
@@ -36,7 +35,7 @@ def write_whole(path: Path, data: bytes) -> None:
     aside = path.with_name(path.name + ".part")
     try:
         aside.write_bytes(data)
-        os.replace(str(aside), str(path))
+        aside.replace(path)
     except OSError as error:
         raise OutputError(f"{path}: cannot be written: {error.strerror}") from error
 
@@ -75,7 +74,9 @@ class OutputFolder:
                 except FileExistsError:
                     number += 1
         except OSError as error:
-            raise OutputError(f"{error.filename}: the folder for the outputs cannot be made: {error.strerror}") from error
+            raise OutputError(
+                f"{error.filename}: the folder for the outputs cannot be made: {error.strerror}"
+            ) from error
 
     @classmethod
     def _explicit(cls, path: Path, force: bool) -> OutputFolder:

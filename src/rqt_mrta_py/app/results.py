@@ -53,7 +53,10 @@ class MissionResult:
             f"{len(record.allocations)} allocations ({lost} lost), {len(record.incidents)} incidents",
         ]
         start = record.start or 0.0
-        lines += [f"{incident.start - start:8.1f} s  {incident.severity.value}: {incident.text}" for incident in record.incidents]
+        lines += [
+            f"{incident.start - start:8.1f} s  {incident.severity.value}: {incident.text}"
+            for incident in record.incidents
+        ]
         lines.append(f"outputs: {self.folder}")
         return "\n".join(lines)
 

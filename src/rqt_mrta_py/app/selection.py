@@ -52,7 +52,9 @@ def first_robots(mission: Mission, number: Optional[int]) -> Mission:
         return mission
     robots = mission.application.robots
     if not 1 <= number <= len(robots):
-        raise UsageError(f"--robots {number}: {mission.application.package} has {len(robots)} robots; give 1 to {len(robots)}")
+        raise UsageError(
+            f"--robots {number}: {mission.application.package} has {len(robots)} robots; give 1 to {len(robots)}"
+        )
     return with_robots(mission, [robot.id for robot in robots[:number]])
 
 

@@ -22,6 +22,8 @@ def parse_filter(text: str) -> Taxonomy:
     axes = (wanted.robots, wanted.tasks, wanted.allocations)
     unknown = [part for part, axis in zip(parts, axes) if part and axis.value == ""]
     if len(parts) != len(axes) or unknown:
-        spellings = " or ".join("/".join(kind.value for kind in axis if kind.value) for axis in (RobotType, TaskType, AllocationType))
+        spellings = " or ".join(
+            "/".join(kind.value for kind in axis if kind.value) for axis in (RobotType, TaskType, AllocationType)
+        )
         raise UsageError(f"--type {text}: is not a taxonomy; three of {spellings}, joined by hyphens, any left blank")
     return wanted

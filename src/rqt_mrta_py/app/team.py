@@ -37,14 +37,11 @@ class Member:
     driver_node: Node
 
 
-def build_team(
-    mission: Mission, scenario: ScenarioSpec, seed: int, simulation: Simulation, bus: Bus, manager: PluginManager
-) -> List[Member]:
+def build_team(mission: Mission, seed: int, simulation: Simulation, bus: Bus, manager: PluginManager) -> List[Member]:
     """Make every robot's agent, behaviours and host, and join them and the hardware to the bus.
 
     Args:
         mission: team, tasks, parameters.
-        scenario: where it takes place.
         seed: of the run.
         simulation: holds the simulated hardware.
         bus: to join.
@@ -55,18 +52,11 @@ def build_team(
 
     Raises:
         UsageError: nobody provides agents for the mission's architecture.
-        RobotError: a robot cannot carry out a task it is given.
+        RobotError: a robot cannot carry out a task it is given, or its agent or a behaviour cannot be made.
     """
-    factories: Dict[str, AgentFactory] = manager.registered("mrta_register_agents")
-    package = mission.architecture.package
-    if package not in factories:
-        known = ", ".join(sorted(factories)) or "none"
-        raise UsageError(f"{package}: no plugin provides agents for this architecture; there are agents for: {known}")
-    models: Mapping[str, RobotModel] = manager.registered("mrta_register_robot_models")
-    placed = {robot.id: models[robot.model] for robot in scenario.robots}
     team = []
     for robot in mission.application.robots:
-        host = _host(mission, scenario, robot.id, placed[robot.id], seed, factories[package], manager)
+        host = _host(mission, seed, robot.id, simulation.scenario, manager)
         agent_node = bus.node(f"/{robot.id}/agent", robot=robot.id)
         driver_node = bus.node(f"/{robot.id}/driver", robot=robot.id)
         for subscription, callback in host.listeners():
@@ -77,17 +67,9 @@ def build_team(
     return team
 
 
-def _host(
-    mission: Mission,
-    scenario: ScenarioSpec,
-    robot_id: str,
-    model: RobotModel,
-    seed: int,
-    agent_factory: AgentFactory,
-    manager: PluginManager,
-) -> RobotHost:
+def _host(mission: Mission, seed: int, robot_id: str, scenario: ScenarioSpec, manager: PluginManager) -> RobotHost:
     tasks = mission.tasks_of(robot_id)
-    factories: Dict[str, BehaviourFactory] = manager.registered("mrta_register_behaviours")
+    model = _model(robot_id, scenario, manager)
     behaviour_setup = BehaviourSetup(
         robot_id=robot_id,
         model=model,
@@ -102,11 +84,26 @@ def _host(
         random=generator(seed, robot_id, Purpose.AGENT),
         evaluators=manager.registered("mrta_register_sensory_evaluators"),
     )
+    factories: Dict[str, BehaviourFactory] = manager.registered("mrta_register_behaviours")
     behaviours = {}
     for kind in sorted({task.kind for task in tasks} & set(factories)):
         behaviours[kind] = _made(f"{robot_id}: behaviour {kind!r}", factories[kind], behaviour_setup)
-    agent = _made(f"{robot_id}: agent of {mission.architecture.package}", agent_factory, agent_setup)
+    package = mission.architecture.package
+    agent = _made(f"{robot_id}: agent of {package}", _agent_factory(package, manager), agent_setup)
     return RobotHost(HostSetup(robot_id, agent, behaviours, tasks, scenario.control_rate))
+
+
+def _model(robot_id: str, scenario: ScenarioSpec, manager: PluginManager) -> RobotModel:
+    models: Mapping[str, RobotModel] = manager.registered("mrta_register_robot_models")
+    return next(models[robot.model] for robot in scenario.robots if robot.id == robot_id)
+
+
+def _agent_factory(package: str, manager: PluginManager) -> AgentFactory:
+    factories: Dict[str, AgentFactory] = manager.registered("mrta_register_agents")
+    if package not in factories:
+        known = ", ".join(sorted(factories)) or "none"
+        raise UsageError(f"{package}: no plugin provides agents for this architecture; there are agents for: {known}")
+    return factories[package]
 
 
 def _made(what: str, factory: Callable[[_Setup], _Made], setup: _Setup) -> _Made:

@@ -7,7 +7,17 @@ from typing import Dict
 
 __all__ = ["installed_versions"]
 
-_LIBRARIES = ("lxml", "matplotlib", "numpy", "opencv-python-headless", "pluggy", "pybullet", "PyYAML", "rosbags", "scipy")
+_LIBRARIES = (
+    "lxml",
+    "matplotlib",
+    "numpy",
+    "opencv-python-headless",
+    "pluggy",
+    "pybullet",
+    "PyYAML",
+    "rosbags",
+    "scipy",
+)
 
 
 def installed_versions() -> Dict[str, str]:

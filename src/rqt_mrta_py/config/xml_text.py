@@ -12,7 +12,7 @@ from xml.parsers import expat
 
 from lxml import etree
 
-from rqt_mrta_py.config.problems import Problems
+from rqt_mrta_py.errors import ConfigError, Problem
 
 __all__ = ["decode_xml", "line_of", "parse_xml"]
 
@@ -42,7 +42,6 @@ def parse_xml(text: Union[str, bytes], path: str) -> etree._Element:
     Raises:
         ConfigError: the text is not well-formed, or declares entities.
     """
-    problems = Problems(path)
     raw = text.encode("utf-8", "surrogatepass") if isinstance(text, str) else text
     encoding = "utf-8" if isinstance(text, str) else None
     try:
@@ -52,15 +51,13 @@ def parse_xml(text: Union[str, bytes], path: str) -> etree._Element:
         dtd: Any = root.getroottree().docinfo.internalDTD
         for entity in dtd.iterentities() if dtd is not None else ():
             raise _EntityDeclaredError(0, str(entity.name))
-    except _EntityDeclaredError as refused:
-        problems.add(refused.line, "", f"declares the entity {refused.name!r}; entities are not accepted")
-        problems.raise_if_any()
-        raise
+    except _EntityDeclaredError as error:
+        message = f"declares the entity {error.name!r}; entities are not accepted"
+        raise ConfigError([Problem(path, error.line, "", message)]) from error
     except (etree.XMLSyntaxError, LookupError, ValueError) as error:
         reason = _POSITION.sub("", str(error)) or "it is empty"
-        problems.add(getattr(error, "lineno", None) or 1, "", f"is not well-formed XML: {reason}")
-        problems.raise_if_any()
-        raise
+        line = getattr(error, "lineno", None) or 1
+        raise ConfigError([Problem(path, line, "", f"is not well-formed XML: {reason}")]) from error
     return root
 
 

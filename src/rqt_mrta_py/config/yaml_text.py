@@ -14,7 +14,7 @@ import yaml
 
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.wording import shown
-from rqt_mrta_py.errors import ConfigError
+from rqt_mrta_py.errors import ConfigError, Problem
 
 __all__ = ["YamlNode", "parse_yaml"]
 
@@ -85,19 +85,24 @@ def parse_yaml(text: Union[str, bytes], path: str) -> Optional[YamlNode]:
     problems = Problems(path)
     try:
         composed = _Composer(text if isinstance(text, str) else text.decode("utf-8"), problems).compose()
-    except UnicodeDecodeError as error:
-        raw = text if isinstance(text, bytes) else b""
-        problems.add(raw.count(b"\n", 0, error.start) + 1, "", "is not UTF-8 text")
-    except yaml.MarkedYAMLError as error:
-        mark = error.problem_mark or error.context_mark
-        problems.add(mark.line + 1 if mark is not None else 0, "", f"is not YAML: {error.problem or error.context}")
-    except yaml.reader.ReaderError as error:
-        line = text.count("\n", 0, error.position) + 1 if isinstance(text, str) else 0
-        problems.add(line, "", f"is not YAML: the character {shown(chr(error.character))} is not allowed")
-    except (yaml.YAMLError, ValueError, OverflowError, IndexError, RecursionError) as error:
-        problems.add(0, "", f"is not YAML: {error}")
+    except (yaml.YAMLError, ValueError, OverflowError, IndexError) as error:
+        raise ConfigError([*problems.found, Problem(path, *_place_and_cause(error, text))]) from error
     problems.raise_if_any()
     return composed
+
+
+def _place_and_cause(error: Exception, text: Union[str, bytes]) -> Tuple[int, str, str]:
+    """Give line, element and message of what the YAML library could not read."""
+    if isinstance(error, UnicodeDecodeError):
+        return error.object.count(b"\n", 0, error.start) + 1, "", "is not UTF-8 text"
+    if isinstance(error, yaml.MarkedYAMLError):
+        mark = error.problem_mark or error.context_mark
+        return (mark.line + 1 if mark is not None else 0), "", f"is not YAML: {error.problem or error.context}"
+    if isinstance(error, yaml.reader.ReaderError):
+        whole = text if isinstance(text, str) else text.decode("utf-8")
+        character = shown(chr(error.character))
+        return whole.count("\n", 0, error.position) + 1, "", f"is not YAML: the character {character} is not allowed"
+    return 0, "", f"is not YAML: {error}"
 
 
 class _Composer:

@@ -156,4 +156,3 @@ class MonitorView:
 
 Renderer = Callable[[MonitorView], "NDArray[np.uint8]"]
 """Draws one picture: (height, width, 3), blue, green, red."""
-

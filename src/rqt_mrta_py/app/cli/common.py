@@ -144,7 +144,12 @@ class ProgressLine:
         except ImportError:
             self._shown = False
             return
-        columns = (TextColumn(self._title), BarColumn(), TextColumn("{task.completed:.0f} of {task.total:.0f} s"), TimeElapsedColumn())
+        columns = (
+            TextColumn(self._title),
+            BarColumn(),
+            TextColumn("{task.completed:.0f} of {task.total:.0f} s"),
+            TimeElapsedColumn(),
+        )
         self._bar = Progress(*columns, console=Console(stderr=True), transient=True)
         self._task = self._bar.add_task("", total=planned)
         self._bar.start()

@@ -15,7 +15,9 @@ _KINDS = ("architectures", "applications", "plugins")
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the verb takes."""
     parser.add_argument("kind", nargs="?", choices=_KINDS, help="only these")
-    parser.add_argument("--type", metavar="ST-SR-IA", default="", help="only what fits this taxonomy; blanks match any (--type=-SR-)")
+    parser.add_argument(
+        "--type", metavar="ST-SR-IA", default="", help="only what fits this taxonomy; blanks match any (--type=-SR-)"
+    )
     parser.add_argument("--json", action="store_true", help="print as JSON")
 
 
@@ -29,16 +31,22 @@ def main(options: argparse.Namespace) -> int:
     wanted = parse_filter(options.type)
     registry = registry_only()
     listed: Dict[str, List[Any]] = {
-        kind: entries(registry, RegistrationKind(kind[:-1]), wanted)
-        for kind in _KINDS
-        if options.kind in (None, kind)
+        kind: entries(registry, RegistrationKind(kind[:-1]), wanted) for kind in _KINDS if options.kind in (None, kind)
     }
-    complain_about([*registry.problems, *(problem for found in listed.values() for entry in found for problem in entry.problems)])
+    complain_about(
+        [*registry.problems, *(problem for found in listed.values() for entry in found for problem in entry.problems)]
+    )
     if options.json:
         print_json("list", {kind: [_as_json(entry) for entry in found] for kind, found in listed.items()})
         return 0
     rows = [
-        (kind[:-1], entry.registration.package, str(entry.taxonomy or ""), _about(entry), str(entry.registration.folder))
+        (
+            kind[:-1],
+            entry.registration.package,
+            str(entry.taxonomy or ""),
+            _about(entry),
+            str(entry.registration.folder),
+        )
         for kind, found in listed.items()
         for entry in found
     ]

@@ -33,7 +33,9 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     arguments = without_remappings(sys.argv[1:] if argv is None else argv)
     options = _parser().parse_args(arguments)
     level = logging.WARNING + 10 * options.quiet - 10 * options.verbose
-    logging.basicConfig(level=max(level, logging.DEBUG), format="%(levelname)s %(name)s: %(message)s", stream=sys.stderr)
+    logging.basicConfig(
+        level=max(level, logging.DEBUG), format="%(levelname)s %(name)s: %(message)s", stream=sys.stderr
+    )
     try:
         return int(options.main(options))
     except MrtaError as error:

@@ -14,7 +14,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the verb takes."""
     parser.add_argument("bag", metavar="BAG", type=Path, help="a ROS 1 bag")
     parser.add_argument("--application", metavar="A", help="what the bag is about (default: what it says itself)")
-    parser.add_argument("--architecture", metavar="A", help="a registered name or an rqt_mrta.xml that says how to read the bag")
+    parser.add_argument(
+        "--architecture", metavar="A", help="a registered name or an rqt_mrta.xml that says how to read the bag"
+    )
     add_output_arguments(parser)
 
 

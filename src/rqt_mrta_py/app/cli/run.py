@@ -11,7 +11,9 @@ __all__ = ["add_arguments", "main"]
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the verb takes."""
-    parser.add_argument("application", metavar="APPLICATION", help="a registered name, or the path of a package or rqt_mrta.xml")
+    parser.add_argument(
+        "application", metavar="APPLICATION", help="a registered name, or the path of a package or rqt_mrta.xml"
+    )
     parser.add_argument("--architecture", metavar="A", help="how tasks are shared out (default: the application's own)")
     parser.add_argument("--seed", metavar="N", type=_seed, default=0, help="of every random generator (default: 0)")
     parser.add_argument("--duration", metavar="S", type=positive, help="mission seconds (default: the scenario's)")

@@ -47,7 +47,9 @@ def _print(description: Dict[str, Any]) -> None:
     for title, rows in tables.items():
         print(f"\n{title}")
         columns = [column for column in rows[0] if any(_cell(row[column]) for row in rows)]
-        print_table([column.upper() for column in columns], [[_cell(row[column]) for column in columns] for row in rows])
+        print_table(
+            [column.upper() for column in columns], [[_cell(row[column]) for column in columns] for row in rows]
+        )
     print()
 
 
