@@ -21,8 +21,9 @@ from rqt_mrta_py.config import (
     resolve_parameters,
 )
 from rqt_mrta_py.config.layers import Layer, split_overrides, xml_layer, yaml_layer
+from rqt_mrta_py.config.values import check_value, parse_text
 from rqt_mrta_py.errors import ConfigError, Problem
-from rqt_mrta_py.model import ConfigTemplate
+from rqt_mrta_py.model import ConfigTemplate, ParameterType
 
 SENSORS = """
 <param_0><name>name</name><type>string</type><default>@robot_id@</default></param_0>
@@ -280,6 +281,63 @@ tasks:
     assert tasks["task1"]["layers"] == {"size": 0}
 
 
+def test_parameters_of_an_array_need_a_size_that_somebody_says() -> None:
+    array = "<array_1><name>e@index@</name><param_0><name>i</name><default>x</default></param_0></array_1>"
+    params = f"<params_0><name>s</name><param_0><name>size</name><type>int</type></param_0>{array}</params_0>"
+
+    assert complaints(params) == ["app.xml: robot1/s/size: is mandatory and has no value; give a whole number"]
+    assert resolve(params, yaml_layer("s: {size: 1}", "p.yaml")).values == {"s": {"size": 1, "e0": {"i": "x"}}}
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "value"),
+    [
+        ("True", ParameterType.BOOL, True),
+        ("false", ParameterType.BOOL, False),
+        ("-3", ParameterType.INT, -3),
+        ("0", ParameterType.DOUBLE, 0.0),
+        ("1e-3", ParameterType.DOUBLE, 0.001),
+        ("1e-3", ParameterType.STRING, "1e-3"),
+    ],
+)
+def test_text_of_a_value_is_read_in_the_type_of_its_template(text: str, kind: ParameterType, value: object) -> None:
+    found = parse_text(text, kind)
+
+    assert (found, type(found)) == (value, type(value))
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("1", ParameterType.BOOL),
+        ("3.0", ParameterType.INT),
+        ("1_0", ParameterType.INT),
+        ("9" * 5000, ParameterType.INT),
+        ("fast", ParameterType.DOUBLE),
+        ("inf", ParameterType.DOUBLE),
+        ("1_0", ParameterType.DOUBLE),
+    ],
+)
+def test_text_that_is_no_value_of_its_type_is_refused(text: str, kind: ParameterType) -> None:
+    with pytest.raises(ValueError, match=r"must be .* \(got "):
+        parse_text(text, kind)
+
+
+@pytest.mark.parametrize(
+    ("value", "kind"),
+    [(1, ParameterType.BOOL), (True, ParameterType.INT), (True, ParameterType.DOUBLE), (10**400, ParameterType.DOUBLE)],
+)
+def test_value_of_yaml_is_not_converted_to_another_type(value: object, kind: ParameterType) -> None:
+    with pytest.raises(ValueError, match=r"must be .* \(got "):
+        check_value(value, kind)
+
+
+def test_parameter_file_must_be_a_mapping_or_empty() -> None:
+    assert yaml_layer("# nothing yet\n", "p.yaml") == {}
+    with pytest.raises(ConfigError, match=r"p\.yaml:1: must be a mapping \(got \[1\]\)"):
+        yaml_layer("[1]", "p.yaml")
+
+
 def test_located_problems_name_file_and_line_of_the_parameter_or_its_group() -> None:
     resolved = resolve(SENSORS, yaml_layer("\nrate: 4", "p.yaml"))
 
@@ -320,7 +378,7 @@ parameters = st.dictionaries(
 )
 
 
-@settings(deadline=None)
+@settings(deadline=None, max_examples=50)
 @given(parameters)
 def test_dumped_parameters_load_equal_by_us_and_by_pyyaml(values: Dict[str, Any]) -> None:
     text = dump_parameters(values)

@@ -1,0 +1,58 @@
+"""Finding a file by what the user calls it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Callable
+
+import pytest
+
+from rqt_mrta_py.config import RegistrationKind, Registry
+from rqt_mrta_py.config.source import Source, find_source, read_file
+from rqt_mrta_py.errors import ConfigError, DiscoveryError
+
+Write = Callable[[str, str], Path]
+
+ARCHITECTURE = RegistrationKind.ARCHITECTURE
+MANIFEST = (
+    '<package><name>called</name><depend>rqt_mrta</depend><export><rqt_mrta architecture="a.xml"/></export></package>'
+)
+
+
+def test_source_of_a_package_is_what_its_manifest_exports(write: Write) -> None:
+    exported, other = write("p/a.xml", "<a/>"), write("p/b.xml", "<b/>")
+    folder = write("p/package.xml", MANIFEST).parent
+
+    assert find_source(Registry(), str(folder), ARCHITECTURE) == Source("called", exported)
+    assert find_source(Registry(), str(exported), ARCHITECTURE) == Source("called", exported)
+    assert find_source(Registry(), str(other), ARCHITECTURE) == Source("called", other)
+
+
+def test_source_of_a_folder_without_manifest_is_its_file(write: Write) -> None:
+    file = write("plain/rqt_mrta.xml", "<a/>")
+
+    assert find_source(Registry(), str(file.parent), ARCHITECTURE) == Source("plain", file)
+
+
+def test_source_of_a_folder_that_holds_nothing_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(DiscoveryError) as caught:
+        find_source(Registry(), str(tmp_path), ARCHITECTURE)
+
+    assert str(caught.value) == f"{tmp_path}: holds neither package.xml nor rqt_mrta.xml"
+
+
+def test_source_of_a_package_that_registers_something_else_is_refused(write: Write) -> None:
+    write("p/a.xml", "<a/>")
+    folder = write("p/package.xml", MANIFEST).parent
+
+    with pytest.raises(DiscoveryError) as caught:
+        find_source(Registry(), str(folder), RegistrationKind.APPLICATION)
+
+    assert str(caught.value) == f"{folder}: its package.xml registers no application; name the rqt_mrta.xml itself"
+
+
+def test_read_file_says_why_it_cannot(tmp_path: Path) -> None:
+    with pytest.raises(ConfigError) as caught:
+        read_file(tmp_path)
+
+    assert str(caught.value) == f"{tmp_path}: cannot be read: Is a directory"
