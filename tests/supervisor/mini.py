@@ -106,9 +106,7 @@ class Stream:
                 continue
             tokens = match.groupdict()
             read = {path: values[path] for path in subscription.fields if path in values}
-            callback(
-                Heard(topic, type, time, read, tokens.get("robot", ""), tokens.get("task", ""), caller, ordinal)
-            )
+            callback(Heard(topic, type, time, read, tokens.get("robot", ""), tokens.get("task", ""), caller, ordinal))
 
     def busy(self, time: float, robot: str, task: str, stamp: Optional[float] = None) -> None:
         """A robot broadcasts what it does, as ALLIANCE's robots do."""

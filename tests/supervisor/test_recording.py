@@ -86,9 +86,7 @@ def test_supervisor_derives_what_the_reference_says_of_the_recording(
     assert (incident.robots, incident.tasks) == (("robot1",), ("patrol",))
     assert incident.start - start == pytest.approx(73.72, abs=WITHIN)
     assert incident.end == end
-    assert incident.text == (
-        "robot1 fell silent while it held patrol, last heard at 73.7 s; nobody has taken over"
-    )
+    assert incident.text == "robot1 fell silent while it held patrol, last heard at 73.7 s; nobody has taken over"
     assert not [event for event in events if event.kind == "unreadable"]
 
 

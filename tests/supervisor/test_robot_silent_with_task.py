@@ -20,9 +20,7 @@ def test_lost_robot_is_an_error_from_its_last_message_to_the_end() -> None:
     assert (incident.rule, incident.severity) == ("robot_silent_with_task", Severity.ERROR)
     assert (incident.start, incident.end) == (4.5, 20.0)
     assert (incident.robots, incident.tasks) == (("robot1",), ("patrol",))
-    assert incident.text == (
-        "robot1 fell silent while it held patrol, last heard at 3.5 s; nobody has taken over"
-    )
+    assert incident.text == "robot1 fell silent while it held patrol, last heard at 3.5 s; nobody has taken over"
     assert incident.evidence == (Evidence(COMMUNICATION, 4.0, 1), Evidence("/robot1/odom", 4.5, 0))
     (event,) = of_kind(stream.events, "incident")
     assert (event.time, event.robot, event.task, event.state) == (6.5, "robot1", "patrol", "robot_silent_with_task")
@@ -35,9 +33,7 @@ def test_text_says_who_took_over_and_when() -> None:
     stream.busy(6.5, "robot2", "patrol")
     stream.busy(7.0, "robot2", "patrol")
     (incident,) = stream.finish().incidents
-    assert incident.text == (
-        "robot1 fell silent while it held patrol, last heard at 0.0 s; robot2 took over at 5.5 s"
-    )
+    assert incident.text == "robot1 fell silent while it held patrol, last heard at 0.0 s; robot2 took over at 5.5 s"
     assert incident.evidence[-1] == Evidence(COMMUNICATION, 6.5, 1)
 
 
@@ -49,9 +45,7 @@ def test_incident_ends_when_the_robot_is_heard_again() -> None:
     stream.tick(9.0)
     (incident,) = stream.finish().incidents
     assert (incident.start, incident.end) == (1.0, 8.0)
-    assert incident.text == (
-        "robot1 fell silent while it held patrol, last heard at 0.0 s; heard again at 7.0 s"
-    )
+    assert incident.text == "robot1 fell silent while it held patrol, last heard at 0.0 s; heard again at 7.0 s"
 
 
 def test_text_says_who_held_the_task_as_well() -> None:
@@ -59,9 +53,7 @@ def test_text_says_who_held_the_task_as_well() -> None:
     stream.busy(1.0, "robot1", "patrol")
     stream.every(0.5, 2.0, 6.0, lambda time: stream.busy(time, "robot2", "patrol"))
     (incident,) = stream.finish().incidents
-    assert incident.text == (
-        "robot1 fell silent while it held patrol, last heard at 0.0 s; robot2 held it too"
-    )
+    assert incident.text == "robot1 fell silent while it held patrol, last heard at 0.0 s; robot2 held it too"
 
 
 def test_robot_that_returns_and_falls_silent_again_is_another_incident() -> None:

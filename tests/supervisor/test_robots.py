@@ -47,13 +47,16 @@ def test_robot_goes_offline_at_once_when_busy_and_idle_expire_together() -> None
 
 
 def test_message_received_when_the_state_falls_due_renews_it() -> None:
-    stream = Stream()
-    stream.busy(0.1, "robot1", "patrol")
-    # 0.1 + 2.0 and 2.1 differ as binary fractions; as stamps they are one.
-    stream.busy(2.1, "robot1", "patrol")
-    stream.busy(4.1, "robot1", "patrol")
-    stream.tick(5.0)
-    assert states(stream.finish(), "robot1") == [("busy", 0.1, 5.0)]
+    # As binary fractions 2.3 + 1.3 is less than 3.6; as stamps they are one.
+    assert 2.3 + 1.3 < 3.6
+    busy = MonitoredTopic(BUSY.name, BUSY.type, BUSY.field, timeout=1.3)
+    stream = Stream(mission(busy=[busy], idle=[]))
+    stream.busy(2.3, "robot1", "patrol")
+    stream.busy(3.6, "robot1", "patrol")
+    stream.tick(4.9)
+    record = stream.finish()
+    assert states(record, "robot1") == [("busy", 2.3, 4.9)]
+    assert len(record.allocations) == 1
     assert len(of_kind(stream.events, "robot_state")) == 1
 
 
