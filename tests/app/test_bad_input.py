@@ -206,6 +206,29 @@ def test_a_folder_that_is_not_empty_needs_force(mrta: Mrta, tmp_path: Path) -> N
     assert (folder / "mission.bag").read_text() == "precious"
 
 
+def test_force_replaces_the_outputs_of_an_earlier_run_and_nothing_else(mrta: Mrta, tmp_path: Path) -> None:
+    folder = tmp_path / "full"
+    (folder / "monitor").mkdir(parents=True)
+    (folder / "mission.bag").write_text("earlier")
+    (folder / "monitor" / "000009.00.png").write_text("earlier")
+    (folder / "notes.txt").write_text("mine")
+    status, _ = mrta("run", "border_patrol", "--duration", "1", "--out", str(folder), "--force")
+    assert status == 0
+    assert (folder / "mission.bag").read_bytes().startswith(b"#ROSBAG V2.0")
+    assert sorted(path.name for path in (folder / "monitor").iterdir()) == ["000000.00.png", "000001.00.png"]
+    assert (folder / "notes.txt").read_text() == "mine"
+
+
+def test_the_folder_runs_counts_up_where_none_is_given(mrta: Mrta, tmp_path: Path) -> None:
+    for _ in range(2):
+        assert mrta("run", "border_patrol", "--duration", "1", "--pictures", "0", "--seed", "3")[0] == 0
+    runs = tmp_path / "here" / "runs"
+    assert sorted(path.name for path in runs.iterdir()) == ["border_patrol-seed3", "border_patrol-seed3-2"]
+    bag = runs / "border_patrol-seed3" / "mission.bag"
+    assert mrta("review", str(bag), "--pictures", "0")[0] == 0
+    assert (runs / "mission-review" / "summary.json").exists()
+
+
 @pytest.mark.parametrize(
     ("name", "content"), [("missing", None), ("empty", b""), ("text", b"not a bag"), ("magic", b"#ROSBAG V2.0\n")]
 )

@@ -124,6 +124,19 @@ def test_a_chunk_that_is_interrupted_is_written_again(tmp_path: Path, monkeypatc
     assert list(read_bag(tmp_path / "m.bag")) == stream
 
 
+def test_a_bag_that_may_be_replaced_stays_until_the_new_one_is_complete(tmp_path: Path) -> None:
+    path = tmp_path / "mission.bag"
+    path.write_bytes(b"precious")
+    path.with_name("mission.bag.active").write_bytes(b"left by a killed run")
+    stream = mission(30)
+    with BagWriter(path, replace=True) as bag:
+        for stamped in stream:
+            bag.write(stamped)
+        assert path.read_bytes() == b"precious"
+    assert len(list(read_bag(path))) == len(stream)
+    assert [entry.name for entry in tmp_path.iterdir()] == ["mission.bag"]
+
+
 def test_an_existing_bag_is_never_overwritten(tmp_path: Path) -> None:
     (tmp_path / "m.bag").write_bytes(b"precious")
     with pytest.raises(TransportError, match=r"m\.bag: exists already; choose another name or remove it"):

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Callable, Iterator, Optional, Tuple
 
 from rqt_mrta_py.app.compose import Host
+from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.mission_message import MISSION_TOPIC, MISSION_TYPE, mission_from_fields
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs import OutputFolder
@@ -71,19 +72,18 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
     observation = Observation(mission, codec, host.manager, duration or length)
     folder = OutputFolder.create(request.out, f"{request.bag.stem}-review", request.force, Path.cwd())
     pictures = _Pictures(host.renderer("monitor"), folder.folder("monitor"), period) if period > 0 else None
-    interrupted = False
-    try:
+    with Interrupt() as interrupt:
         for stamped in read_bag(request.bag):
             if pictures is not None:
                 pictures.until(stamped.receipt_ns, observation)
             observation.feed(stamped)
             progress((stamped.receipt_ns - start_ns) / _NS, length)
-        if pictures is not None and info.end_ns is not None:
+            if interrupt.requested:
+                break
+        if pictures is not None and info.end_ns is not None and not interrupt.requested:
             pictures.until(info.end_ns + 1, observation)
-    except KeyboardInterrupt:
-        interrupted = True
     record, summary = write_results(folder, observation, host.manager, pictures=pictures is not None)
-    return watch.result(folder, record, summary, interrupted)
+    return watch.result(folder, record, summary, interrupt.requested)
 
 
 class _Pictures:

@@ -8,6 +8,7 @@ from typing import Callable, Optional, Tuple
 
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.embedded import EmbeddedRun
+from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs import OutputFolder
 from rqt_mrta_py.app.pictures import PictureSchedule, period_in_ticks
@@ -78,7 +79,7 @@ def run_mission(host: Host, request: RunRequest, progress: Progress) -> MissionR
         name = f"{mission.application.package}-seed{request.seed}"
         folder = OutputFolder.create(request.out, name, request.force, Path.cwd())
         pictures = _pictures(host, folder, period, scenario.control_rate)
-        with BagWriter(folder.path / "mission.bag") as bag:
+        with BagWriter(folder.path / "mission.bag", replace=request.force) as bag:
             run.attach(bag.write, pictures)
             interrupted = _steps(run, scenario.control_rate, duration, progress)
         record, summary = write_results(folder, observation, host.manager, pictures=pictures is not None)
@@ -89,12 +90,12 @@ def run_mission(host: Host, request: RunRequest, progress: Progress) -> MissionR
 
 def _steps(run: EmbeddedRun, rate: int, duration: float, progress: Progress) -> bool:
     """Let the mission pass; True if the user ended it early."""
-    try:
+    with Interrupt() as interrupt:
         for tick in range(run.last_tick + 1):
             run.step(tick)
             progress(tick / rate, duration)
-    except KeyboardInterrupt:
-        return True
+            if interrupt.requested:
+                return True
     return False
 
 

@@ -50,19 +50,27 @@ class BagWriter:
     also when an exception leaves it.
 
     Args:
-        path: of the bag; it must not exist.
+        path: of the bag; unless it may be replaced, it must not exist.
         compression: of its chunks.
         checkpoint_period: how much of the stream's time may be lost when the process is killed [s].
+        replace: take the place of a bag of this name, once this one is complete, and of a leftover ``.active`` file.
 
     Raises:
-        TransportError: the bag or its ``.active`` file exists, or cannot be made.
+        TransportError: the bag or its ``.active`` file exists and may not be replaced, or cannot be made.
         MissingDependencyError: rosbags is not installed.
     """
 
-    def __init__(self, path: Path, compression: Compression = Compression.LZ4, checkpoint_period: float = 1.0) -> None:
+    def __init__(
+        self,
+        path: Path,
+        compression: Compression = Compression.LZ4,
+        checkpoint_period: float = 1.0,
+        *,
+        replace: bool = False,
+    ) -> None:
         self.path = Path(path)
         self.active_path = self.path.with_name(self.path.name + ".active")
-        if self.path.exists():
+        if self.path.exists() and not replace:
             raise TransportError(f"{self.path}: exists already; choose another name or remove it")
         library = rosbag1()
         self._period_ns = round(checkpoint_period * 1e9)
@@ -73,6 +81,8 @@ class BagWriter:
         self._closed = False
         self._errors = (library.WriterError, OSError, ValueError, struct.error)
         try:
+            if replace and self.active_path.exists():
+                self.active_path.unlink()
             self._writer = library.Writer(self.active_path)
             self._writer.chunk_threshold = _NEVER
             if compression is not Compression.NONE:
@@ -160,7 +170,7 @@ class BagWriter:
             with self.active_path.open("r+b") as closed:
                 closed.seek(_DATA_LENGTH_AT)
                 closed.write(_DATA_LENGTH)
-            self.active_path.rename(self.path)
+            self.active_path.replace(self.path)
         except self._errors as error:
             _let_go(file)
             raise TransportError(
