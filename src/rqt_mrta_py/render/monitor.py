@@ -76,4 +76,5 @@ def _ground(floor: Arena, obstacles: Tuple[Obstacle, ...], tasks: int, curves: T
         panel(canvas, box, title)
     draw_floor(canvas, ArenaMap(floor, inside(ARENA)), obstacles)
     draw_outcome_legend(canvas)
+    canvas.image.setflags(write=False)
     return canvas.image
