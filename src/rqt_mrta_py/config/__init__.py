@@ -7,7 +7,8 @@
 * ``yaml_text``, ``schema``: YAML text to values with lines, checked by tables that are also the documentation
 * ``tasks``, ``scenario``, ``scenario_form``, ``places``: the files with these tables
 * ``manifest``, ``registration``, ``discovery``, ``source``: package.xml to what is registered, and where
-* ``values``, ``layers``, ``parameters``, ``robot_parameters``, ``parameter_file``: templates to each robot's parameters
+* ``values``, ``layers``, ``array_sizes``, ``parameters``: templates and what is given to one robot's parameters;
+  ``parameter_context`` says for whom, ``robot_parameters`` from which files, ``parameter_file`` writes them
 * ``mission``: all of it joined
 """
 
@@ -18,13 +19,9 @@ from rqt_mrta_py.config.architecture import read_architecture
 from rqt_mrta_py.config.discovery import discover, own_packages
 from rqt_mrta_py.config.manifest import Manifest, read_manifest
 from rqt_mrta_py.config.mission import load_mission, load_observed, mission_from_texts
+from rqt_mrta_py.config.parameter_context import ParameterContext
 from rqt_mrta_py.config.parameter_file import dump_parameters, parse_parameters
-from rqt_mrta_py.config.parameters import (
-    ParameterContext,
-    ResolvedParameters,
-    locate_problems,
-    resolve_parameters,
-)
+from rqt_mrta_py.config.parameters import ResolvedParameters, locate_problems, resolve_parameters
 from rqt_mrta_py.config.registration import Registration, RegistrationKind, Registry
 from rqt_mrta_py.config.robot_parameters import ParameterChecks, Team, config_name, resolve_shared, resolve_team
 from rqt_mrta_py.config.scenario import read_scenario

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Set, Tuple, Union
 
+from rqt_mrta_py.config.parameter_context import Path, Place
 from rqt_mrta_py.config.wording import accepted, shown
 from rqt_mrta_py.config.yaml_text import YamlNode, parse_yaml
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ArrayTemplate, MapTemplate, ParameterTemplate, TemplateItem, normalise_id
 
-__all__ = ["COMMAND_LINE", "Given", "Layer", "Path", "split_overrides", "xml_layer", "yaml_layer"]
+__all__ = ["COMMAND_LINE", "Given", "GivenValues", "Layer", "Path", "split_overrides", "xml_layer", "yaml_layer"]
 
 COMMAND_LINE = "--set"
 """What problems name in the place of a file for values from the command line."""
-
-Path = Tuple[str, ...]
-"""Names from the top of a robot's parameters down to one value."""
 
 
 class Given(NamedTuple):
@@ -36,6 +34,39 @@ class Given(NamedTuple):
 
 Layer = Dict[Path, Given]
 """Values by path; a path may hold ``@index@`` for all elements of an array."""
+
+
+class GivenValues:
+    """All layers on top of each other, and what of them was asked for.
+
+    Args:
+        layers: later ones cover earlier ones.
+    """
+
+    def __init__(self, layers: Sequence[Layer]) -> None:
+        self._values: Layer = {}
+        for layer in layers:
+            self._values.update(layer)
+        self._used: Set[Path] = set()
+
+    @property
+    def paths(self) -> Tuple[Path, ...]:
+        """Every path for which there is a value."""
+        return tuple(self._values)
+
+    def get(self, path: Path) -> Optional[Given]:
+        """Give the value of exactly this path, without counting it as used."""
+        return self._values.get(path)
+
+    def look_up(self, place: Place) -> Optional[Given]:
+        """Give the value for a place, its own before one for all elements; both count as used."""
+        found = [path for path in (place.path, place.pattern) if path in self._values]
+        self._used.update(found)
+        return self._values[found[0]] if found else None
+
+    def unused(self) -> Iterator[Tuple[Path, Given]]:
+        """Give what was never looked up, in the order of the layers."""
+        return ((path, given) for path, given in self._values.items() if path not in self._used)
 
 
 def xml_layer(items: Iterable[TemplateItem], source: str) -> Layer:

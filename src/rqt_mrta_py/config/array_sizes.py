@@ -1,0 +1,148 @@
+"""How many elements an array of parameters has: as many as tasks, as given, or as the template says.
+
+Where the items of an array mention ``@task_id@``, its elements stand for the robot's tasks: some name theirs, the
+others take those that are left, in order.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Callable, Dict, Optional, Sequence
+
+from rqt_mrta_py.config.layers import Given, GivenValues
+from rqt_mrta_py.config.parameter_context import ParameterContext, Path, Place
+from rqt_mrta_py.config.values import check_value, parse_text
+from rqt_mrta_py.config.wording import shown
+from rqt_mrta_py.model import ArrayTemplate, MapTemplate, ParameterTemplate, ParameterType, TemplateItem
+
+__all__ = ["TASK_TOKEN", "ArraySize", "ArraySizer"]
+
+TASK_TOKEN = "@task_id@"
+"""Stands for the id of the task that an element is for."""
+
+_MOST_ELEMENTS = 1000
+_SIZE_TOKEN = "@array_size@"
+
+
+@dataclass
+class ArraySize:
+    """The elements that the arrays of a group have.
+
+    Attributes:
+        size: their number.
+        tasks: what an element stands for, by index.
+        by_task: True if elements stand for tasks.
+    """
+
+    size: int
+    tasks: Dict[int, str] = field(default_factory=dict)
+    by_task: bool = False
+
+
+class ArraySizer:
+    """Sizes arrays by what is given.
+
+    Args:
+        given: values of all layers.
+        context: for whom.
+        note: called with path, value and message of everything that is wrong.
+    """
+
+    def __init__(self, given: GivenValues, context: ParameterContext, note: Callable[[Path, Given, str], None]) -> None:
+        self._given = given
+        self._context = context
+        self._note = note
+
+    def of(self, items: Sequence[TemplateItem], place: Place) -> Optional[ArraySize]:
+        """Find out how many elements the arrays of a group have.
+
+        Args:
+            items: of the group.
+            place: of the group.
+
+        Returns:
+            Their number and what they are for; None if the group holds no array.
+        """
+        arrays = [item for item in items if isinstance(item, ArrayTemplate)]
+        sizes = [item for item in items if isinstance(item, ParameterTemplate) and item.name == "size"]
+        if not arrays or not sizes:
+            return None
+        by_task = not place.in_task_array and any(_mentions_task(array.items) for array in arrays)
+        seen = max([self._highest_index(array, place) + 1 for array in arrays])
+        explicit = self._explicit_size(sizes[0], place)
+        if not by_task:
+            return ArraySize(explicit if explicit is not None else self._implied_size(sizes[0], place, seen))
+        seen = seen if explicit is None else min(seen, explicit)
+        claims = self._claims(arrays, place, seen)
+        left = [task for task in self._context.tasks if task not in claims.values()]
+        free = [index for index in range(seen + len(left)) if index not in claims]
+        tasks = {**claims, **dict(zip(free, left))}
+        size = explicit if explicit is not None else max([seen, *(index + 1 for index in tasks)])
+        missing = [task for index, task in tasks.items() if index >= size]
+        if missing and self._context.all_tasks:
+            path = (*place.path, "size")
+            given = self._given.get(path) or Given(None, True, self._context.template_source, sizes[0].line)
+            self._note(path, given, f"is {size}, which leaves no element for {', '.join(missing)}; give {len(tasks)}")
+        return ArraySize(size, {index: tasks[index] for index in sorted(tasks)}, by_task=True)
+
+    def _explicit_size(self, item: ParameterTemplate, place: Place) -> Optional[int]:
+        """Give the size that a layer gives as a number; None if none does."""
+        inner = place.inner(item.name)
+        given = self._given.look_up(inner)
+        if given is None or given.value == _SIZE_TOKEN:
+            return None
+        try:
+            size = parse_text(given.value, ParameterType.INT) if given.is_text else check_value(given.value, item.type)
+            if isinstance(size, int) and 0 <= size <= _MOST_ELEMENTS:
+                return size
+            raise ValueError(f"must be a whole number from 0 to {_MOST_ELEMENTS} (got {shown(size)})")
+        except ValueError as error:
+            self._note(inner.path, given, str(error))
+            return None
+
+    def _implied_size(self, item: ParameterTemplate, place: Place, seen: int) -> int:
+        texts = [text for text in (item.value, item.default) if text is not None]
+        numbers = [int(text) for text in texts if re.match(r"[0-9]{1,9}\Z", text)]
+        if texts and texts[0] == _SIZE_TOKEN:
+            return seen or (min(numbers[0], _MOST_ELEMENTS) if numbers else 0)
+        if not texts:
+            where = Given(None, True, self._context.values_source, 0)
+            self._note((*place.path, "size"), where, "is mandatory and has no value; give a whole number")
+        return min(numbers[0], _MOST_ELEMENTS) if numbers else seen
+
+    def _highest_index(self, array: ArrayTemplate, place: Place) -> int:
+        """Give the highest index for which a layer gives anything; -1 if there is none."""
+        before, token, after = array.name.partition("@index@")
+        pattern = re.compile(f"{re.escape(before)}([0-9]{{1,4}}){re.escape(after if token else '')}\\Z")
+        depth = len(place.path)
+        highest = -1
+        for path in self._given.paths:
+            if len(path) > depth and path[:depth] == place.path:
+                match = pattern.match(path[depth])
+                if match is not None and int(match.group(1)) < _MOST_ELEMENTS:
+                    highest = max(highest, int(match.group(1)))
+        return highest
+
+    def _claims(self, arrays: Sequence[ArrayTemplate], place: Place, seen: int) -> Dict[int, str]:
+        """Give the tasks that elements name themselves, by index."""
+        claims: Dict[int, str] = {}
+        for array in arrays:
+            name = array.name if "@index@" in array.name else f"{array.name}@index@"
+            for item in array.items:
+                if not isinstance(item, ParameterTemplate) or TASK_TOKEN not in (item.value, item.default):
+                    continue
+                for index in range(seen):
+                    given = self._given.get(place.inner(name, index=index).inner(item.name).path)
+                    if given is not None and isinstance(given.value, str) and TASK_TOKEN not in given.value:
+                        claims.setdefault(index, given.value)
+        return claims
+
+
+def _mentions_task(items: Sequence[TemplateItem]) -> bool:
+    return any(
+        TASK_TOKEN in (item.value or "") or TASK_TOKEN in (item.default or "")
+        if isinstance(item, ParameterTemplate)
+        else isinstance(item, MapTemplate) and _mentions_task(item.items)
+        for item in items
+    )
