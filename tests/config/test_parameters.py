@@ -281,6 +281,45 @@ tasks:
     assert tasks["task1"]["layers"] == {"size": 0}
 
 
+def nested(levels: int, inside: str) -> str:
+    for level in range(levels):
+        inside = (
+            f"<params_0><name>g{level}</name><param_0><name>size</name><type>int</type><default>1000</default></param_0>"
+            f"<array_1><name>e@index@</name>{inside}</array_1></params_0>"
+        )
+    return inside
+
+
+def test_parameters_of_arrays_in_arrays_stop_before_they_fill_the_memory() -> None:
+    said = complaints(nested(4, "<param_0><name>i</name><default>x</default></param_0>"))
+
+    assert "app.xml: robot1/g3: make more than 10000 parameters; give smaller sizes" in said
+
+
+def test_parameters_named_by_the_index_of_their_element_are_told_apart() -> None:
+    params = (
+        "<params_0><name>s</name><param_0><name>size</name><type>int</type><default>2</default></param_0>"
+        "<array_1><name>e@index@</name><param_0><name>p@index@</name><default>@index@</default></param_0></array_1>"
+        "</params_0>"
+    )
+
+    assert resolve(params).values["s"] == {"size": 2, "e0": {"p0": "0"}, "e1": {"p1": "1"}}
+
+
+def test_parameters_mention_the_task_of_the_outer_element_in_inner_arrays() -> None:
+    params = """<params_0><name>t</name><param_0><name>size</name><type>int</type><value>@array_size@</value></param_0>
+    <array_1><name>t@index@</name><param_0><name>id</name><value>@task_id@</value></param_0>
+    <params_1><name>s</name><param_0><name>size</name><type>int</type><value>@array_size@</value><default>1</default></param_0>
+    <array_1><name>s@index@</name><param_0><name>of</name><value>@task_id@@index@</value></param_0></array_1></params_1>
+    </array_1></params_0>"""
+
+    assert resolve(params).values["t"] == {
+        "size": 2,
+        "t0": {"id": "dig", "s": {"size": 1, "s0": {"of": "dig0"}}},
+        "t1": {"id": "fill", "s": {"size": 1, "s0": {"of": "fill0"}}},
+    }
+
+
 def test_parameters_of_an_array_need_a_size_that_somebody_says() -> None:
     array = "<array_1><name>e@index@</name><param_0><name>i</name><default>x</default></param_0></array_1>"
     params = f"<params_0><name>s</name><param_0><name>size</name><type>int</type></param_0>{array}</params_0>"

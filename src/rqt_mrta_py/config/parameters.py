@@ -16,6 +16,8 @@ from rqt_mrta_py.model import ArrayTemplate, ConfigTemplate, MapTemplate, Parame
 
 __all__ = ["ParameterContext", "ResolvedParameters", "locate_problems", "resolve_parameters"]
 
+_MOST_VALUES = 10_000
+
 
 @dataclass(frozen=True)
 class ResolvedParameters:
@@ -96,9 +98,10 @@ class _Resolver:
         for item in items:
             if isinstance(item, ParameterTemplate):
                 size = array.size if array is not None and item.name == "size" else None
-                value = self._parameter(item, place.inner(item.name), size)
+                inner = place.inner(item.name)
+                value = self._parameter(item, inner, size)
                 if value is not None:
-                    _set(values, item.name.split("/"), value)
+                    _set(values, inner.path[len(place.path) :], value)
             elif isinstance(item, MapTemplate):
                 inner = place.inner(item.name)
                 _set(values, inner.path[len(place.path) :], self.items(item.items, inner))
@@ -115,8 +118,13 @@ class _Resolver:
         name = item.name if "@index@" in item.name else f"{item.name}@index@"
         pattern = re.compile(re.escape(name).replace(re.escape("@index@"), "([0-9]{1,9})") + r"\Z")
         self._arrays.append((place.path, pattern, array.size))
+        by_task = place.in_task_array or array.by_task
         for index in range(array.size):
-            inner = place.inner(name, index=index, task=array.tasks.get(index, place.task), in_task_array=array.by_task)
+            if len(self.sources) > _MOST_VALUES:
+                where = Given(None, True, self._context.values_source, 0)
+                self._problem(place.path, where, f"make more than {_MOST_VALUES} parameters; give smaller sizes")
+                return
+            inner = place.inner(name, index=index, task=array.tasks.get(index, place.task), in_task_array=by_task)
             _set(values, inner.path[len(place.path) :], self.items(item.items, inner))
 
     def _parameter(self, item: ParameterTemplate, place: Place, size: Optional[int]) -> Optional[Scalar]:
