@@ -265,6 +265,8 @@ def test_a_team_does_not_get_stuck() -> None:
     floor.run(120.0)
     assert max(longest_stay(robot) for robot in floor.robots if robot.id != "robot2") < 10.0
     assert len(on_topic(floor.robots[1], "report")) > 40
+    # The follower meets wanderers on its way; none of them takes it along into the middle.
+    assert max(wall_distances(floor, floor.robots[2], first=15 * RATE)) < 1.8
     assert floor.contacts == {}
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from basic_behaviours.driving import Driver, open_direction
 from basic_behaviours.settings import SettingsReader, require_between, require_choice
 from basic_behaviours.sight import SCAN, Sight, SightReader
-from basic_behaviours.wall import Wall, length_at, nearest_long_wall, wall_beside
+from basic_behaviours.wall import KnownWall, Wall, length_at, nearest_long_wall, wall_beside
 from rqt_mrta_py.hooks import BehaviourSetup, BehaviourStep, Command, Perception, Subscription
 from rqt_mrta_py.model import Pose, Task, Twist, wrap_angle
 
@@ -21,6 +21,10 @@ _SIDES = {"counterclockwise": -1, "clockwise": 1}
 _DISTANCE_GAIN = 1.5
 _STEEPEST = 0.7
 _LOST_BEYOND = 1.0
+_REMEMBERED = 10.0
+_PUSHED_OFF = 0.65
+_BACK = 0.2
+_LONGEST_WAIT = 3.0
 _WRAP_AROUND = 4.0
 _ISLAND_TURN = 1.75 * math.pi
 _NEW_SEARCH = 30.0
@@ -51,8 +55,9 @@ class FollowBorderSettings:
 class FollowBorder:
     """Looks for a wall, then keeps it on one side.
 
-    What is short and stands before the wall, a robot for instance, is passed on its far side; longer things at the wall
-    are gone around as part of it.
+    What is short and stands before the wall, a robot for instance, is passed on its far side, and so far from the wall
+    as that takes; the robot remembers for 10 s where the wall is. Pushed off by more than 0.65 m, it first waits for
+    up to 3 s until the way back is free. Longer things at the wall are gone around as part of it.
 
     While it looks, it passes by what is shorter than 2 m, unless nothing longer is found for half a minute. A longer
     thing that stands free is told from the border by the turning: once around the border turns the robot away from
@@ -77,7 +82,9 @@ class FollowBorder:
         self._following = False
         self._judged: Optional[Sight] = None
         self._wall: Optional[Wall] = None
+        self._known: Optional[KnownWall] = None
         self._lost_since: Optional[float] = None
+        self._waiting_since: Optional[float] = None
         self._last_yaw = 0.0
         self._turned = 0.0
         self._least_turned = 0.0
@@ -155,6 +162,7 @@ class FollowBorder:
         self._search_until = now + _NEW_SEARCH
         self._least_length = _LONG
         self._following = False
+        self._known = None
 
     def _follow(self, now: float, pose: Pose, sight: Sight, settings: FollowBorderSettings) -> Twist:
         side = _SIDES[settings.sense]
@@ -162,10 +170,7 @@ class FollowBorder:
         self._turned += side * wrap_angle(pose.yaw - self._last_yaw)
         self._last_yaw = pose.yaw
         self._least_turned = min(self._least_turned, self._turned)
-        if sight is not self._judged:
-            self._judged = sight
-            self._wall = wall_beside(sight, side, settings.distance + _LOST_BEYOND, _LONG_ENOUGH)
-        wall = self._wall
+        wall = self._find_wall(now, pose, sight, side, settings.distance + _LOST_BEYOND)
         if wall is not None:
             self._lost_since = None
         elif self._lost_since is None:
@@ -174,17 +179,43 @@ class FollowBorder:
         if self._turned - self._least_turned > _ISLAND_TURN or lost_for_good:
             self._set_out(now, pose, sight, settings.distance + _LOST_BEYOND)
         radius = min(self._model.radius + 0.1, 0.8 * settings.distance)
-        twist, _ = self._driver.drive(
+        wish = _along(wall, side, settings.distance)
+        twist, as_wished = self._driver.drive(
             now,
             pose,
             sight,
-            _along(wall, side, settings.distance),
+            wish,
             settings.speed,
             room=settings.distance + 0.15 - radius,
             turn=-side,
             radius=radius,
         )
-        return twist
+        off = wall.distance - settings.distance if wall else 0.0
+        return self._wait(wish) if self._may_wait(now, off) and not as_wished else twist
+
+    def _may_wait(self, now: float, off: float) -> bool:
+        """Tell whether to let a robot go by that pushes this one ever farther off: once, until it has been back."""
+        if off < _BACK:
+            self._waiting_since = None
+        elif off > _PUSHED_OFF and self._waiting_since is None:
+            self._waiting_since = now
+        return self._waiting_since is not None and now - self._waiting_since < _LONGEST_WAIT
+
+    def _wait(self, wish: float) -> Twist:
+        limit = self._model.max_turn_rate
+        return Twist(wz=min(max(wish, -limit), limit))
+
+    def _find_wall(self, now: float, pose: Pose, sight: Sight, side: int, within: float) -> Optional[Wall]:
+        """Find the long wall beside, else the one remembered, else whatever is beside; judge each scan once."""
+        if sight is not self._judged:
+            self._judged = sight
+            wall = wall_beside(sight, side, within, _LONG_ENOUGH)
+            if wall is not None:
+                self._known = KnownWall.at(wall, pose, now)
+            elif self._known is not None and now - self._known.seen < _REMEMBERED:
+                wall = self._known.seen_from(pose)
+            self._wall = wall or wall_beside(sight, side, within)
+        return self._wall
 
 
 def _along(wall: Optional[Wall], side: int, distance: float) -> float:

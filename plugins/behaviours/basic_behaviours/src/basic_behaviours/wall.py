@@ -8,9 +8,9 @@ from typing import NamedTuple, Optional
 import numpy as np
 
 from basic_behaviours.sight import FAR, Sight
-from rqt_mrta_py.model import wrap_angle
+from rqt_mrta_py.model import Pose, wrap_angle
 
-__all__ = ["Wall", "length_at", "nearest_long_wall", "wall_at", "wall_beside"]
+__all__ = ["KnownWall", "Wall", "length_at", "nearest_long_wall", "wall_at", "wall_beside"]
 
 _AHEAD = math.radians(30.0)
 _BEHIND = math.radians(130.0)
@@ -33,27 +33,53 @@ class Wall(NamedTuple):
     bearing: float
 
 
-def wall_beside(sight: Sight, side: int, within: float, least: float) -> Optional[Wall]:
-    """Find the wall on one side, from a little ahead to behind.
+class KnownWall(NamedTuple):
+    """A wall in the frame ``map``: a straight line by its normal form.
+
+    Attributes:
+        normal: direction from the side on which the robot was when it saw the wall [rad].
+        offset: of the line from the origin along that direction [m].
+        seen: when it was seen last [s].
+    """
+
+    normal: float
+    offset: float
+    seen: float
+
+    @classmethod
+    def at(cls, wall: Wall, pose: Pose, now: float) -> KnownWall:
+        """Place a wall that is seen from a pose at a time [s] on the map."""
+        normal = wrap_angle(pose.yaw + wall.bearing)
+        return cls(normal, _along(normal, pose) + wall.distance, now)
+
+    def seen_from(self, pose: Pose) -> Optional[Wall]:
+        """Give the wall as seen from a pose; None from its other side."""
+        distance = self.offset - _along(self.normal, pose)
+        return Wall(distance, wrap_angle(self.normal - pose.yaw)) if distance > 0.0 else None
+
+
+def _along(normal: float, pose: Pose) -> float:
+    return math.cos(normal) * pose.x + math.sin(normal) * pose.y
+
+
+def wall_beside(sight: Sight, side: int, within: float, least: float = 0.0) -> Optional[Wall]:
+    """Find the nearest wall on one side, from a little ahead to behind.
 
     Args:
         sight: what is seen.
         side: 1 for the left, -1 for the right.
-        within: how far a wall may be [m].
-        least: a wall at least so long is preferred to shorter things that are nearer [m].
+        within: how far what is seen of it may be [m].
+        least: how long it must be seen to be; 0 for anything [m].
 
     Returns:
-        The nearest long wall, else the nearest thing; None if there is none.
+        The wall; None if there is none.
     """
     turned = side * sight.bearings
     (rays,) = np.nonzero((turned >= -_AHEAD) & (turned <= _BEHIND) & (sight.ranges <= within))
-    if rays.size == 0:
-        return None
-    by_range = rays[np.argsort(sight.ranges[rays], kind="stable")].tolist()
-    for ray in by_range:
+    for ray in rays[np.argsort(sight.ranges[rays], kind="stable")].tolist():
         if length_at(sight, ray) >= least:
             return wall_at(sight, ray)
-    return wall_at(sight, by_range[0])
+    return None
 
 
 def wall_at(sight: Sight, ray: int) -> Wall:
