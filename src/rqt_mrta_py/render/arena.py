@@ -55,18 +55,19 @@ def draw_arena(page: Page, place: ArenaMap) -> Tuple[Box, ...]:
     for task, point in tasks.items():
         diamond(canvas, point, _TASK_SIZE, colours[task])
     states = {robot.id: robot.state for robot in view.record.robots}
+    noses = []
     for robot in view.scene.robots:
         if robot.pose is not None:
             held = [colours[allocation.task] for allocation in page.open_by_robot.get(robot.id, ())]
             body = _Body(robots[robot.id], robot.pose.yaw, _radius(robot, place))
-            _draw_robot(canvas, body, states.get(robot.id, RobotState.OFFLINE), held)
+            noses.append(_draw_robot(canvas, body, states.get(robot.id, RobotState.OFFLINE), held))
     names = [_Name(task, point, _TASK_SIZE, mix(colours[task], INK, 0.35)) for task, point in tasks.items()]
     names += [
         _Name(robot.id, robots[robot.id], _radius(robot, place) + 4.0, INK)
         for robot in view.scene.robots
         if robot.id in robots
     ]
-    boxes = _draw_names(canvas, Box(0, 0, place.box.width, place.box.height), names)
+    boxes = _draw_names(canvas, Box(0, 0, place.box.width, place.box.height), names, noses)
     return tuple(Box(b.left + left, b.top + top, b.right + left, b.bottom + top) for b in boxes)
 
 
@@ -119,8 +120,8 @@ def _draw_allocations(page: Page, canvas: Canvas, robots: Mapping[str, Point], t
         canvas.line([start, end], colour, 2)
 
 
-def _draw_robot(canvas: Canvas, body: _Body, state: RobotState, tasks: Sequence[Colour]) -> None:
-    """Draw a light with a nose, and a ring around it for each task held, three at most."""
+def _draw_robot(canvas: Canvas, body: _Body, state: RobotState, tasks: Sequence[Colour]) -> Point:
+    """Draw a light with a nose, and a ring around it for each task held, three at most; give the tip of the nose."""
     (x, y), radius = body.centre, body.radius
     cos, sin = math.cos(body.yaw), -math.sin(body.yaw)
     reach = radius + 3.0 + 3.0 * min(len(tasks), 3)
@@ -128,22 +129,25 @@ def _draw_robot(canvas: Canvas, body: _Body, state: RobotState, tasks: Sequence[
     for ring, colour in reversed(list(enumerate(tasks[:3]))):
         canvas.disc(body.centre, radius + 5.0 + 3.0 * ring, colour)
     canvas.disc(body.centre, radius + 2.2, WHITE)
+    tip = (x + nose * cos, y + nose * sin)
     canvas.polygon(
         [
-            (x + nose * cos, y + nose * sin),
+            tip,
             (x + base * cos - half * sin, y + base * sin + half * cos),
             (x + base * cos + half * sin, y + base * sin - half * cos),
         ],
         INK,
     )
     light(canvas, body.centre, radius, state)
+    return tip
 
 
-def _draw_names(canvas: Canvas, bounds: Box, names: Sequence[_Name]) -> Tuple[Box, ...]:
+def _draw_names(canvas: Canvas, bounds: Box, names: Sequence[_Name], noses: Sequence[Point]) -> Tuple[Box, ...]:
     things = [
         Box(n.centre[0] - n.radius, n.centre[1] - n.radius, n.centre[0] + n.radius, n.centre[1] + n.radius)
         for n in names
     ]
+    things += [Box(x - 3.0, y - 3.0, x + 3.0, y + 3.0) for x, y in noses]
     placer = LabelPlacer(bounds, things)
     placed = []
     for name in names:

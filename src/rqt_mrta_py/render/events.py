@@ -33,7 +33,7 @@ def draw_events(page: Page, panel: Box) -> None:
         canvas.text(box.left, box.top + 14, "nothing has happened yet", PLAIN, MUTED, WHITE)
     top = box.top + 2.0
     for event in reversed(view.record.events):
-        lines = wrap(event.text, SMALL, box.width - _TEXT_OFFSET, 2)
+        lines = wrap(event.text, SMALL, box.width - _TEXT_OFFSET, 2 if event.severity is Severity.INFO else 4)
         bottom = top + _LINE * len(lines)
         if bottom > box.bottom:
             break
