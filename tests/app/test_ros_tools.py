@@ -135,3 +135,26 @@ def master(ros_environment: Dict[str, str]) -> Iterator[Dict[str, str]]:
 def test_rosbag_play_plays_the_bag_to_a_real_master(patrol: Outputs, master: Dict[str, str]) -> None:
     text = rosbag("play", "--quiet", "-r", "50", "-u", "100", str(patrol.bag), environment=master, timeout=120)
     assert "ERROR" not in text
+
+
+def test_roslaunch_runs_and_reviews_a_mission(ros_environment: Dict[str, str], root: Path, tmp_path: Path) -> None:
+    environment = {**ros_environment, "ROS_PACKAGE_PATH": f"{root}:{root / 'plugins'}"}
+    run = tmp_path / "run"
+    options = "options:=--duration 2 --pictures 0"
+    roslaunch("run.launch", f"out:={run}", options, environment=environment)
+    assert (run / "mission.bag").exists()
+    review = tmp_path / "review"
+    roslaunch("review.launch", f"bag:={run / 'mission.bag'}", f"out:={review}", environment=environment)
+    assert (review / "summary.json").read_bytes() == (run / "summary.json").read_bytes()
+
+
+def roslaunch(*arguments: str, environment: Dict[str, str]) -> None:
+    """Launch with a master of its own on a free port; a required node's end ends the launch."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = str(probe.getsockname()[1])
+    command = ["roslaunch", "-p", port, "rqt_mrta_py", *arguments]
+    environment = {**environment, "ROS_MASTER_URI": f"http://127.0.0.1:{port}"}
+    finished = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)
+    assert "finished cleanly" in finished.stdout + finished.stderr, finished.stdout
+    assert finished.returncode == 0, finished.stderr

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable, Iterator, Optional, Tuple
@@ -115,7 +116,9 @@ def _mission(host: Host, request: ReviewRequest, codec: Codec) -> Tuple[Mission,
         )
         return mission, None
     if request.architecture is not None:
-        return load_observed(host.registry, request.architecture), None
+        mission = load_observed(host.registry, request.architecture)
+        application = dataclasses.replace(mission.application, name=request.bag.stem)
+        return dataclasses.replace(mission, application=application), None
     stamped = next(_mission_messages(request.bag), None)
     if stamped is None:
         raise UsageError(

@@ -124,8 +124,8 @@ class Event:
 
     Attributes:
         time: when it fell due or was received [s].
-        kind: ``robot_state``, ``task_state``, ``allocation_started``, ``allocation_ended``, ``incident``,
-            ``scenario`` or ``unreadable``.
+        kind: ``robot_state``, ``task_state``, ``allocation_started``, ``allocation_ended``, ``incident`` or
+            ``unreadable``.
         severity: how much it matters.
         text: one sentence.
         robot, task: ids it speaks of, None if none.
