@@ -4,7 +4,8 @@
 * ``wander``, ``avoid``, ``follow_border``, ``go_to_place``, ``report``: one behaviour each
 * ``evaluators``: sensory evaluators
 * ``settings``: what a task's data may say, with defaults and ranges
-* ``sight``, ``driving``, ``journey``, ``wall``: what behaviours share
+* ``sight``, ``wall``, ``seen_things``: what the range finder tells
+* ``driving``, ``journey``: how to move by it
 """
 
 from __future__ import annotations

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import math
 from enum import Enum
-from typing import Dict, List, NamedTuple, Optional, Tuple
-
-import numpy as np
+from typing import List, NamedTuple, Optional
 
 from basic_behaviours.driving import Driver
+from basic_behaviours.seen_things import REMEMBERED, SeenThings
 from basic_behaviours.sight import Sight
 from rqt_mrta_py.hooks import BehaviourSetup, CostField
 from rqt_mrta_py.model import Pose, Twist
@@ -18,10 +17,6 @@ __all__ = ["Journey", "JourneyState", "JourneyStep"]
 _NEXT_POINT = 0.25
 _CUT_CORNER = 0.6
 _LOOK_AHEAD = 0.8
-_SEEN_WITHIN = 2.0
-_SEEN_RADIUS = 0.02
-_SPOT = 0.1
-_REMEMBERED = 60.0
 _REPLAN_AFTER = 1.0
 _REPLAN_EVERY = 2.0
 _NEARER = 0.2
@@ -60,7 +55,7 @@ class Journey:
         self._speed = self._tolerance = self._patience = 0.0
         self._field: Optional[CostField] = None
         self._points: List[Pose] = []
-        self._remembered = _Remembered()
+        self._seen = SeenThings()
         self._barred_since: Optional[float] = None
         self._planned = -math.inf
         self._last = 0.0
@@ -83,7 +78,7 @@ class Journey:
         self._place, self._speed, self._tolerance, self._patience = place, speed, tolerance, patience
         self._driver.begin()
         self._field = None
-        self._remembered.clear()
+        self._seen.clear()
         self._barred_since = None
         self._least_left = math.inf
 
@@ -146,39 +141,14 @@ class Journey:
         if now - self._barred_since < _REPLAN_AFTER or now - self._planned < _REPLAN_EVERY:
             return
         self._planned = now
-        self._remembered.see(now, pose, sight)
+        self._seen.see(now, pose, sight)
         # What moves may have left since; if that bars every way, only what is seen now counts.
-        for since in (now - _REMEMBERED, now):
-            self._navigator.observe(self._remembered.discs(since))
+        for since in (now - REMEMBERED, now):
+            self._navigator.observe(self._seen.discs(since))
             points = self._navigator.path(pose, self._place)
             if points:
                 self._points = list(points)
                 return
-
-
-class _Remembered:
-    """Where the range finder has met something of late, whatever the map says; one spot for each 0.1 m."""
-
-    def __init__(self) -> None:
-        self._spots: Dict[Tuple[int, int], Tuple[Pose, float]] = {}
-
-    def clear(self) -> None:
-        """Forget everything."""
-        self._spots.clear()
-
-    def see(self, now: float, pose: Pose, sight: Sight) -> None:
-        """Add what is seen now; forget what was seen long ago."""
-        near = sight.ranges < _SEEN_WITHIN
-        directions = sight.bearings[near] + pose.yaw
-        xs = (pose.x + sight.ranges[near] * np.cos(directions)).tolist()
-        ys = (pose.y + sight.ranges[near] * np.sin(directions)).tolist()
-        self._spots = {spot: what for spot, what in self._spots.items() if now - what[1] < _REMEMBERED}
-        for x, y in zip(xs, ys):
-            self._spots[round(x / _SPOT), round(y / _SPOT)] = (Pose(x, y), now)
-
-    def discs(self, since: float) -> Tuple[Tuple[Pose, float], ...]:
-        """Give what was seen since a time [s], as obstacles for a Navigator."""
-        return tuple((place, _SEEN_RADIUS) for place, seen in self._spots.values() if seen >= since)
 
 
 def _slow_down(twist: Twist, distance: float) -> Twist:
