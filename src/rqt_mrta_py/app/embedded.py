@@ -164,9 +164,16 @@ class EmbeddedRun:
     def _tell(self, tick: int, now: float) -> None:
         for message in self._observation.news():
             self._supervisor_node.publish(message, now)
-        if tick % (STATE_PERIOD * self.clock.rate) == 0 or tick == self.last_tick:
-            self._supervisor_node.publish(self._observation.supervisor.team_state(now), now)
-            self._supervisor_node.publish(team_markers(self._observation.view(now), now), now)
+        last = tick == self.last_tick
+        state_is_due = last or tick % (STATE_PERIOD * self.clock.rate) == 0
+        picture_is_due = self._pictures is not None and self._pictures.due(tick)
+        if state_is_due or picture_is_due:
+            view = self._observation.view(now)
+            if state_is_due:
+                self._supervisor_node.publish(self._observation.supervisor.team_state(now), now)
+                self._supervisor_node.publish(team_markers(view, now), now)
+            if self._pictures is not None and picture_is_due:
+                self._pictures.draw(tick, view)
         if self._pictures is not None:
-            for message in self._pictures.step(tick, now, self._observation, last=tick == self.last_tick):
+            for message in self._pictures.placed_at(tick, last):
                 self._supervisor_node.publish(message, now)

@@ -5,8 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import List, Optional, Tuple
 
-from rqt_mrta_py.app.observation import Observation
-from rqt_mrta_py.hooks import Outgoing, Renderer
+from rqt_mrta_py.hooks import MonitorView, Outgoing, Renderer
 from rqt_mrta_py.render import jpeg, write_picture
 
 __all__ = ["PICTURE_TOPIC", "PictureSchedule", "period_in_ticks", "picture_name"]
@@ -37,21 +36,29 @@ class PictureSchedule:
         self._rate = rate
         self._waiting: List[Tuple[int, Outgoing]] = []
 
-    def step(self, tick: int, now: float, observation: Observation, last: bool) -> List[Outgoing]:
-        """Draw if a picture is due, and give the messages whose place is this tick.
+    def due(self, tick: int) -> bool:
+        """Tell whether a picture is to be drawn at a tick."""
+        return tick % self._period == 0
+
+    def draw(self, tick: int, view: MonitorView) -> None:
+        """Draw what a tick looks like once everything of it has been heard, and write the file.
 
         Args:
             tick: of the mission.
-            now: its stamp [s].
-            observation: what to draw; it has heard everything up to now.
+            view: what to draw.
+        """
+        image = self._renderer(view)
+        write_picture(self._folder / picture_name(tick / self._rate), image)
+        fields = {"header": {"stamp": view.now, "frame_id": "map"}, "format": "jpeg", "data": jpeg(image)}
+        self._waiting.append((tick + self._period, Outgoing(PICTURE_TOPIC, "sensor_msgs/CompressedImage", fields)))
+
+    def placed_at(self, tick: int, last: bool) -> List[Outgoing]:
+        """Give the messages whose place in the stream is a tick.
+
+        Args:
+            tick: of the mission.
             last: True at the mission's last tick, where what still waits is given too.
         """
-        if tick % self._period == 0:
-            image = self._renderer(observation.view(now))
-            write_picture(self._folder / picture_name(tick / self._rate), image)
-            fields = {"header": {"stamp": now, "frame_id": "map"}, "format": "jpeg", "data": jpeg(image)}
-            message = Outgoing(PICTURE_TOPIC, "sensor_msgs/CompressedImage", fields)
-            self._waiting.append((tick + self._period, message))
         due = [message for place, message in self._waiting if last or place <= tick]
         self._waiting = self._waiting[len(due) :]
         return due

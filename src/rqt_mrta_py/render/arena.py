@@ -14,7 +14,7 @@ from rqt_mrta_py.render.canvas import Box, Canvas, Point, label_size
 from rqt_mrta_py.render.floor import ArenaMap
 from rqt_mrta_py.render.labels import LabelPlacer
 from rqt_mrta_py.render.page import Page
-from rqt_mrta_py.render.palette import FAINT, INK, TRAIL, WHITE, Colour, mix
+from rqt_mrta_py.render.palette import FAINT, INK, MUTED, TRAIL, WHITE, Colour, mix
 from rqt_mrta_py.render.signs import diamond, light
 from rqt_mrta_py.render.spells import spells
 from rqt_mrta_py.render.text import Style, shorten
@@ -49,6 +49,9 @@ def draw_arena(page: Page, place: ArenaMap) -> Tuple[Box, ...]:
 
     robots = {robot.id: at(robot.pose) for robot in view.scene.robots if robot.pose is not None}
     tasks = {task.id: at(task.place) for task in view.scene.tasks if task.place is not None}
+    if view.scene.arena is None and not robots and not tasks:
+        middle = Box(0, 0, place.box.width, place.box.height).centre
+        canvas.text(middle[0], middle[1], "no poses heard", _NAME, MUTED, FAINT, anchor=0.5)
     for robot in view.scene.robots:
         _draw_trail(page, canvas, place, robot)
     _draw_allocations(page, canvas, robots, tasks)
