@@ -5,17 +5,14 @@ from __future__ import annotations
 import heapq
 import logging
 from collections import deque
-from typing import TYPE_CHECKING, Any, Callable, Deque, Dict, List, Mapping, NamedTuple, Optional, Set, Tuple
+from typing import Any, Callable, Deque, Dict, List, Mapping, NamedTuple, Optional, Protocol, Set, Tuple
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Connection, FieldReader, Heard, Outgoing, Subscription
+from rqt_mrta_py.hooks import Codec, Connection, FieldReader, Heard, Outgoing, Subscription
 from rqt_mrta_py.model import resolve_name
 from rqt_mrta_py.transport.patterns import TopicPattern, resolve_topic
 
-if TYPE_CHECKING:
-    from rqt_mrta_py.transport.bus import Bus
-
-__all__ = ["Delivery", "Ear", "Hearing", "Message", "Node"]
+__all__ = ["Carrier", "Delivery", "Ear", "Hearing", "Message", "Node"]
 
 _LOG = logging.getLogger(__name__)
 _NOTHING: Mapping[str, Any] = {}
@@ -69,6 +66,28 @@ class Delivery(NamedTuple):
     hearings: Tuple[Hearing, ...]
 
 
+class Carrier(Protocol):
+    """What a node asks of the bus that carries its messages."""
+
+    @property
+    def codec(self) -> Codec:
+        """Give what writes and reads messages."""
+        ...
+
+    @property
+    def published(self) -> int:
+        """Tell how many messages were published so far."""
+        ...
+
+    def publish(self, node: Node, topic: str, outgoing: Outgoing, now: float) -> None:
+        """Carry a message of a node, its topic resolved, at a time [s]."""
+        ...
+
+    def welcome(self, node: Node, ear: Ear) -> None:
+        """Hand a new subscription the latched messages that it suits."""
+        ...
+
+
 class Node:
     """A node of the embedded bus; made by ``Bus.node``.
 
@@ -77,7 +96,7 @@ class Node:
         robot: id of the robot it runs on; empty if on none.
     """
 
-    def __init__(self, bus: Bus, name: str, robot: str, remappings: Optional[Mapping[str, str]]) -> None:
+    def __init__(self, bus: Carrier, name: str, robot: str, remappings: Optional[Mapping[str, str]]) -> None:
         self.name = name
         self.robot = robot
         self._bus = bus
