@@ -148,6 +148,38 @@ def test_roslaunch_runs_and_reviews_a_mission(ros_environment: Dict[str, str], r
     assert (review / "summary.json").read_bytes() == (run / "summary.json").read_bytes()
 
 
+FOREIGN_ARCHITECTURE = """<package format="2">
+  <name>foreign</name> <version>1.0.0</version> <description>d</description>
+  <maintainer email="a@b.c">m</maintainer> <license>l</license>
+  <depend>rqt_mrta</depend>
+  <export> <rqt_mrta architecture="${prefix}/rqt_mrta.xml"/> </export>
+</package>
+"""
+
+
+@pytest.mark.parametrize(
+    ("host", "attribute", "found"),
+    [
+        ("rqt_mrta_py", "architecture", "mrta_alliance"),
+        ("rqt_mrta_py", "application", "border_patrol"),
+        ("rqt_mrta_py", "plugin", "basic_behaviours"),
+        ("rqt_mrta", "architecture", "foreign"),
+    ],
+)
+def test_rospack_lists_what_is_registered(
+    ros_environment: Dict[str, str], root: Path, tmp_path: Path, host: str, attribute: str, found: str
+) -> None:
+    """Foreign packages register with rqt_mrta, which a stub stands in for where it is not installed."""
+    package = tmp_path / "foreign"
+    package.mkdir()
+    (package / "package.xml").write_text(FOREIGN_ARCHITECTURE)
+    environment = {**ros_environment, "ROS_PACKAGE_PATH": f"{tmp_path}:{root}:{root / 'plugins'}"}
+    command = ["rospack", "plugins", f"--attrib={attribute}", host]
+    finished = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=60, check=False)
+    assert finished.returncode == 0, finished.stderr
+    assert found in [line.split()[0] for line in finished.stdout.splitlines()]
+
+
 def roslaunch(*arguments: str, environment: Dict[str, str]) -> None:
     """Launch with a master of its own on a free port; a required node's end ends the launch."""
     with socket.socket() as probe:
