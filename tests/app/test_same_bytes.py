@@ -12,18 +12,28 @@ from typing import Dict
 FILES = ("mission.bag", "summary.json", "events.jsonl", "incidents.jsonl")
 
 
-def run(folder: Path, hash_seed: str, seed: str) -> Dict[str, str]:
+def run(folder: Path, hash_seed: str, seed: str, packages: str = "") -> Dict[str, str]:
     """Run the mission in a process of its own and give the digest of each file."""
     folder.mkdir()
-    environment = {**os.environ, "PYTHONHASHSEED": hash_seed}
+    environment = {**os.environ, "PYTHONHASHSEED": hash_seed, "ROS_PACKAGE_PATH": packages}
     command = [sys.executable, "-m", "rqt_mrta_py", "run", "border_patrol", "--seed", seed, "--duration", "25", "-q"]
     subprocess.run([*command, "--out", str(folder / "out")], check=True, cwd=str(folder), env=environment, timeout=300)
     return {name: hashlib.sha256((folder / "out" / name).read_bytes()).hexdigest() for name in FILES}
 
 
-def test_two_processes_folders_and_hash_seeds_write_the_same_bytes(tmp_path: Path) -> None:
+def installed_std_msgs(folder: Path) -> str:
+    """Put a std_msgs on the path whose definitions carry comments, as an installed ROS does."""
+    package = folder / "std_msgs"
+    (package / "msg").mkdir(parents=True)
+    (package / "package.xml").write_text("<package><name>std_msgs</name></package>")
+    (package / "msg" / "Header.msg").write_text("# as installed\nuint32 seq\ntime stamp\nstring frame_id\n")
+    return str(folder)
+
+
+def test_process_folder_hash_seed_and_an_installed_ros_leave_the_bytes_alone(tmp_path: Path) -> None:
     first = run(tmp_path / "here", hash_seed="1", seed="5")
-    second = run(tmp_path / "a longer folder with blanks", hash_seed="4711", seed="5")
+    packages = installed_std_msgs(tmp_path / "ros")
+    second = run(tmp_path / "a longer folder with blanks", hash_seed="4711", seed="5", packages=packages)
     assert second == first
 
 
