@@ -80,6 +80,13 @@ def test_a_hostile_definition_is_refused_before_anything_is_allocated(definition
             CODEC.compile(made, paths)(b"\0" * 100)
 
 
+@pytest.mark.usefixtures("_short_and_small")
+def test_a_definition_of_very_many_fields_is_refused_soon() -> None:
+    made = connection("/t", "x/Y", "\n".join(f"uint8 a{number}" for number in range(50_000)))
+    with pytest.raises(TransportError, match="50000 fields with those it contains; at most 4096 are accepted"):
+        CODEC.compile(made, ())
+
+
 def test_a_message_of_many_deeply_nested_arrays_is_read() -> None:
     parts = "".join(f"{SEPARATOR}\nMSG: x/T{i}\nT{i + 1}[] t\n" for i in range(28))
     made = connection("/t", "x/Y", f"T0[] t\n{parts}{SEPARATOR}\nMSG: x/T28\nuint8 x\n")

@@ -10,7 +10,7 @@ from __future__ import annotations
 import hashlib
 import re
 from dataclasses import dataclass, field
-from typing import Callable, Dict, List, Mapping, Optional, Tuple
+from typing import Callable, Dict, List, Mapping, Optional, Set, Tuple
 
 from rqt_mrta_py.errors import TransportError
 
@@ -210,10 +210,11 @@ def parse_message(name: str, text: str) -> MessageSpec:
             constants.append(_constant(where, line, clean))
         else:
             fields.append(_field(where, clean, package))
-    names = [item.name for item in fields]
-    for item in names:
-        if names.count(item) > 1:
-            raise TransportError(f"{name}: field {item!r} is declared twice; names of fields must differ")
+    declared: Set[str] = set()
+    for item in fields:
+        if item.name in declared:
+            raise TransportError(f"{name}: field {item.name!r} is declared twice; names of fields must differ")
+        declared.add(item.name)
     return MessageSpec(name, tuple(fields), tuple(constants), text)
 
 
