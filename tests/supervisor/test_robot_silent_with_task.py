@@ -2,7 +2,7 @@ from __future__ import annotations
 
 from rqt_mrta_py.model import Evidence, Severity
 from rqt_mrta_py.supervisor.plugin import mrta_register_incident_rules
-from tests.supervisor.mini import COMMUNICATION, Signs, Stream, of_kind
+from tests.supervisor.mini import COMMUNICATION, Signs, Stream, mission, of_kind
 
 
 def watched() -> Stream:
@@ -87,3 +87,12 @@ def test_robot_that_gives_up_and_keeps_talking_is_no_incident() -> None:
     stream.busy(1.0, "robot1", "patrol")
     stream.every(1.0, 1.0, 9.0, lambda time: stream.odom(time, "robot1"))
     assert stream.finish().incidents == ()
+
+
+def test_ids_with_spaces_do_not_hide_one_incident_behind_another() -> None:
+    """The bag of a stranger may name robot ``a b`` with task ``c`` and robot ``a`` with task ``b c``."""
+    stream = Stream(mission(robots=(), tasks=()), rules=mrta_register_incident_rules())
+    stream.busy(1.0, "a b", "c")
+    stream.busy(1.0, "a", "b c")
+    stream.tick(9.0)
+    assert [(each.robots, each.tasks) for each in stream.finish().incidents] == [(("a b",), ("c",)), (("a",), ("b c",))]

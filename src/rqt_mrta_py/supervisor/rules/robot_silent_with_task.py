@@ -101,4 +101,5 @@ class RobotSilentWithTask:
 
 
 def _key(robot: str, task: str) -> str:
-    return f"{robot} {task}"
+    # Ids of foreign bags may hold any character, so none of them can stand between the two.
+    return f"{len(robot)} {robot} {task}"
