@@ -220,6 +220,16 @@ def test_busy_message_that_names_the_task_allocates_it() -> None:
     assert allocations(stream.finish()) == [("robot1", "patrol", 1.0, 2.0, "open")]
 
 
+def test_busy_topic_whose_name_tells_the_task_allocates_it() -> None:
+    busy = MonitoredTopic("/@robot_id@/busy/@task_id@", "")
+    stream = Stream(mission(busy=[busy], allocated=[]))
+    stream.say(1.0, "/robot1/busy/patrol")
+    stream.tick(2.0)
+    record = stream.finish()
+    assert allocations(record) == [("robot1", "patrol", 1.0, 2.0, "open")]
+    assert history(record, "patrol") == [("executing", 1.0, 2.0)]
+
+
 def test_names_of_topics_tell_robot_and_task() -> None:
     tokens = MonitoredTopic("/@robot_id@/doing/@task_id@", "", timeout=1.0)
     stream = Stream(mission(allocated=[tokens]))

@@ -1,13 +1,23 @@
 from __future__ import annotations
 
+import math
 from typing import Any, Dict, List, Sequence, Tuple
 
 import pytest
 
 from rqt_mrta_py.errors import HookError
-from rqt_mrta_py.hooks import Fact, Heard, IncidentBoard, RobotHeard, RobotStateChanged, RuleSetup, Subscription
+from rqt_mrta_py.hooks import (
+    AllocationSign,
+    Fact,
+    Heard,
+    IncidentBoard,
+    RobotHeard,
+    RobotStateChanged,
+    RuleSetup,
+    Subscription,
+)
 from rqt_mrta_py.model import Evidence, Severity
-from tests.supervisor.mini import Stream, mission
+from tests.supervisor.mini import Signs, Stream, mission
 
 
 class Probe:
@@ -169,6 +179,13 @@ def test_rule_that_raises_stops_supervision_and_is_named(method: str, where: str
     assert str(caught.value).startswith(f"incident rule probe: KeyError: 'robot9', {where}")
 
 
+@pytest.mark.parametrize(("method", "where"), [("__init__", "being made"), ("subscriptions", "subscribing")])
+def test_rule_that_cannot_even_begin_is_named(method: str, where: str) -> None:
+    with pytest.raises(HookError) as caught:
+        stream_with(type("Broken", (Probe,), {method: fails}))
+    assert str(caught.value) == f"incident rule probe: KeyError: 'robot9', {where}"
+
+
 def test_rule_that_would_never_sleep_again_is_stopped() -> None:
     class Restless(Probe):
         def wake(self, time: float, board: IncidentBoard) -> None:
@@ -191,8 +208,36 @@ def test_interpreter_that_raises_is_named() -> None:
         stream.say(1.0, "/signs")
 
 
+def test_interpreter_that_cannot_say_what_to_hear_is_named() -> None:
+    class Broken:
+        subscriptions = fails
+
+        def hear(self, heard: Heard) -> Sequence[AllocationSign]:
+            return ()
+
+    with pytest.raises(HookError, match="interpreter of mrta_mini: KeyError: 'robot9', subscribing"):
+        Stream(interpreter=Broken())
+
+
+def test_interpreter_that_answers_nothing_at_all_is_named() -> None:
+    class Silent(Signs):
+        def hear(self, heard: Heard) -> Any:
+            return None
+
+    stream = Stream(interpreter=Silent())
+    with pytest.raises(HookError, match=r"interpreter of mrta_mini: TypeError: .*, hearing /signs"):
+        stream.say(1.0, "/signs")
+
+
 def test_statistic_that_raises_is_named() -> None:
     broken: Dict[str, Any] = {"odd": fails}
     stream = Stream(statistics=broken)
     with pytest.raises(HookError, match="statistic odd: KeyError: 'robot9'"):
+        stream.finish()
+
+
+@pytest.mark.parametrize("value", [{"robot1"}, math.nan, {"robot1": [math.inf]}, {(1, 2): 3}, object()])
+def test_statistic_that_no_summary_can_hold_is_named(value: object) -> None:
+    stream = Stream(statistics={"odd": lambda record: value})
+    with pytest.raises(HookError, match=r"statistic odd: its value is no plain JSON .*; accepted: finite numbers"):
         stream.finish()

@@ -4,7 +4,7 @@
 * ``team``: derives facts; ``robots``, ``tasks``, ``allocations`` keep one thing each, ``timeline`` their histories
 * ``agenda``: what falls due when
 * ``sources``, ``presence``: how messages tell robots and tasks
-* ``desk``, ``rules``: incidents
+* ``desk``, ``rules``: incidents; ``failures``: plugins that raise on the way
 * ``journal``, ``news``, ``summary``: the same for readers, for other nodes, for programs
 * ``statistics``: numbers of a finished mission
 * ``plugin``: registers rules and statistics

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from heapq import heappop, heappush
 from typing import Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
-from rqt_mrta_py.errors import HookError
 from rqt_mrta_py.hooks import Fact, Heard, IncidentRule
 from rqt_mrta_py.model import Evidence, Incident, Severity
+from rqt_mrta_py.supervisor.failures import failure
 
 __all__ = ["Desk"]
 
@@ -130,7 +130,7 @@ class Desk:
         try:
             rule.hear(heard, board)
         except Exception as error:
-            raise HookError(f"incident rule {name}: {_said(error)}, hearing {heard.topic}") from error
+            raise failure(f"incident rule {name}", error, f"hearing {heard.topic}") from error
 
     def notice(self, fact: Fact) -> None:
         """Give every rule a fact."""
@@ -138,7 +138,7 @@ class Desk:
             try:
                 rule.notice(fact, board)
             except Exception as error:
-                raise HookError(f"incident rule {name}: {_said(error)}, noticing {fact}") from error
+                raise failure(f"incident rule {name}", error, f"noticing {fact}") from error
 
     def wake_next(self) -> None:
         """Wake the rule whose turn comes first."""
@@ -152,7 +152,7 @@ class Desk:
             try:
                 rule.finish(time, board)
             except Exception as error:
-                raise HookError(f"incident rule {name}: {_said(error)}, finishing") from error
+                raise failure(f"incident rule {name}", error, "finishing") from error
 
     def incidents(self, end: float) -> Tuple[Incident, ...]:
         """List all incidents by start, then rule; those that last end at a time [s]."""
@@ -190,10 +190,6 @@ class Desk:
         try:
             rule.wake(time, board)
         except Exception as error:
-            raise HookError(f"incident rule {name}: {_said(error)}, woken at {time}") from error
+            raise failure(f"incident rule {name}", error, f"woken at {time}") from error
         finally:
             self._waking = None
-
-
-def _said(error: Exception) -> str:
-    return f"{type(error).__name__}: {error}"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Callable, FrozenSet, List, Optional, Sequence, Tuple
 
-from rqt_mrta_py.errors import HookError
 from rqt_mrta_py.hooks import EVERYTHING, AllocationInterpreter, Heard, Subscription
 from rqt_mrta_py.model import ArchitectureSpec, Progress, RobotState, normalise_id
+from rqt_mrta_py.supervisor.failures import failure
 from rqt_mrta_py.supervisor.presence import Presence
 from rqt_mrta_py.supervisor.sources import (
     STAMP,
@@ -112,23 +112,28 @@ class Ears:
         Args:
             interpreter: reads the architecture's own signs; None if it has none.
             architecture: its package, for errors.
+
+        Raises:
+            HookError: the interpreter raises; names it. So does the callback.
         """
         if interpreter is None:
             return ()
-        reads = interpreter
+        reads, who = interpreter, f"interpreter of {architecture}"
 
         def hear(heard: Heard) -> None:
             self._enter(heard)
             try:
-                signs = reads.hear(heard)
+                signs = tuple(reads.hear(heard))
             except Exception as error:
-                what = f"{type(error).__name__}: {error}"
-                raise HookError(f"interpreter of {architecture}: {what}, hearing {heard.topic}") from error
+                raise failure(who, error, f"hearing {heard.topic}") from error
             for sign in signs:
                 self._hear_speaker(sign.robot, heard)
                 self._statements.signed(sign, heard)
 
-        return [(subscription, hear) for subscription in interpreter.subscriptions()]
+        try:
+            return [(subscription, hear) for subscription in interpreter.subscriptions()]
+        except Exception as error:
+            raise failure(who, error, "subscribing") from error
 
     def _hear_anything(self, heard: Heard) -> None:
         self._enter(heard)
@@ -139,7 +144,7 @@ class Ears:
     def _hears_busy(self, source: Source) -> Callback:
         # A busy message that names the task allocates it, unless its topic is listed for that by itself.
         listed = {(each.topic.name, each.topic.type) for each in self._topics.allocated}
-        allocates = bool(source.task_path) and (source.topic.name, source.topic.type) not in listed
+        allocates = source.tells_task and (source.topic.name, source.topic.type) not in listed
         timeout = source.timeout
         hold = self._topics.busy_timeout
 

@@ -50,6 +50,11 @@ class Source:
         """How long one message counts [s]."""
         return max(self.topic.timeout, 0.0)
 
+    @property
+    def tells_task(self) -> bool:
+        """Whether each message tells a task, in a field or by the name of its topic."""
+        return bool(self.task_path) or _TASK_TOKEN in self.topic.name
+
     def subscription(self) -> Subscription:
         """Ask for what is read here."""
         paths = [self.robot_path, self.task_path, STAMP if self.stamped else ""]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 from functools import partial
 from typing import Callable, List, Mapping, Optional, Sequence, Set, Tuple
 
@@ -11,6 +12,7 @@ from rqt_mrta_py.hooks import (
     AllocationInterpreter,
     Fact,
     Heard,
+    IncidentRule,
     IncidentRuleFactory,
     Outgoing,
     RobotStateChanged,
@@ -22,6 +24,7 @@ from rqt_mrta_py.hooks import (
 from rqt_mrta_py.model import Event, Incident, Mission, MissionRecord
 from rqt_mrta_py.supervisor.desk import Desk
 from rqt_mrta_py.supervisor.ears import Callback, Ears, Topics
+from rqt_mrta_py.supervisor.failures import failure
 from rqt_mrta_py.supervisor.journal import event_of_fact, event_of_incident, event_of_unreadable
 from rqt_mrta_py.supervisor.news import event_news, fact_news, incident_news, team_news
 from rqt_mrta_py.supervisor.team import Team, TeamSetup
@@ -42,6 +45,9 @@ class Supervisor:
         rules: factories of incident rules by name.
         statistics: functions of the finished record by name.
         on_event: takes each event when it is noticed.
+
+    Raises:
+        HookError: a rule cannot be made; names it.
     """
 
     def __init__(
@@ -56,7 +62,7 @@ class Supervisor:
         self._interpreter = interpreter
         self._statistics = statistics
         self._on_event = on_event
-        self._rules = {name: factory(RuleSetup(mission)) for name, factory in sorted(rules.items())}
+        self._rules = {name: _made(name, factory, mission) for name, factory in sorted(rules.items())}
         self._desk = Desk(self._rules, self._on_opened, self._on_closed)
         topics = Topics(mission.architecture)
         robots = tuple(robot.id for robot in mission.application.robots)
@@ -72,11 +78,15 @@ class Supervisor:
         self._finished: Optional[MissionRecord] = None
 
     def listeners(self) -> Sequence[Tuple[Subscription, Callback]]:
-        """Say what to hear, and who hears it; to be subscribed once, in this order."""
+        """Say what to hear, and who hears it; to be subscribed once, in this order.
+
+        Raises:
+            HookError: the interpreter or a rule raises; names it. So do the callbacks.
+        """
         pairs = self._ears.listeners()
         pairs += self._ears.listeners_for(self._interpreter, self._mission.architecture.package)
         for name, rule in self._rules.items():
-            pairs += [(wish, self._hears_rule(name)) for wish in rule.subscriptions()]
+            pairs += [(wish, self._hears_rule(name)) for wish in _wishes(name, rule)]
         return pairs
 
     def report(self, heard: Heard, reason: str) -> None:
@@ -120,7 +130,7 @@ class Supervisor:
             The record with statistics; the same again when asked again.
 
         Raises:
-            HookError: a rule or a statistic raises; names it.
+            HookError: a rule or a statistic raises, or a statistic is no plain JSON; names it.
         """
         if self._finished is None:
             if self._start is not None:
@@ -227,8 +237,30 @@ def _collector(events: List[Event]) -> Callable[[Fact, str], None]:
     return collect
 
 
+def _made(name: str, factory: IncidentRuleFactory, mission: Mission) -> IncidentRule:
+    try:
+        return factory(RuleSetup(mission))
+    except Exception as error:
+        raise failure(f"incident rule {name}", error, "being made") from error
+
+
+def _wishes(name: str, rule: IncidentRule) -> Sequence[Subscription]:
+    try:
+        return tuple(rule.subscriptions())
+    except Exception as error:
+        raise failure(f"incident rule {name}", error, "subscribing") from error
+
+
 def _computed(name: str, statistic: Statistic, record: MissionRecord) -> object:
     try:
-        return statistic(record)
+        value = statistic(record)
     except Exception as error:
-        raise HookError(f"statistic {name}: {type(error).__name__}: {error}") from error
+        raise failure(f"statistic {name}", error) from error
+    try:
+        json.dumps(value, allow_nan=False)
+    except (TypeError, ValueError) as error:
+        raise HookError(
+            f"statistic {name}: its value is no plain JSON ({error}); accepted: finite numbers, texts, truth values, "
+            "None, and lists and dicts of them"
+        ) from error
+    return value

@@ -1,0 +1,18 @@
+"""Failures of plugins that take part in supervision: one sentence that says whose it is."""
+
+from __future__ import annotations
+
+from rqt_mrta_py.errors import HookError
+
+__all__ = ["failure"]
+
+
+def failure(who: str, error: Exception, doing: str = "") -> HookError:
+    """Say whose failure an exception is; to be raised ``from`` it.
+
+    Args:
+        who: the plugin's part, for instance ``incident rule x``.
+        error: what it raised.
+        doing: what it was asked to do; empty if there is just one thing that it can do.
+    """
+    return HookError(f"{who}: {type(error).__name__}: {error}{f', {doing}' if doing else ''}")
