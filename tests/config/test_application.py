@@ -40,6 +40,19 @@ def test_application_accepts_gaps_and_empty_elements_between_robots() -> None:
     assert [robot.id for robot in read_application(text, "x.xml", "x").robots] == ["a", "b"]
 
 
+def test_application_tells_robots_from_other_things_of_the_same_name() -> None:
+    """Lines of robots, of their tasks and of the architecture once stood in one table, by ids that a user chooses."""
+    text = (
+        "<rqt_mrta><application><name>X</name><architecture>alliance</architecture><robots>"
+        "<robot_0><id>architecture</id><tasks><task_0><id>dig</id></task_0></tasks></robot_0>"
+        "<robot_1><id>architecture/dig</id></robot_1></robots></application></rqt_mrta>"
+    )
+
+    robots = read_application(text, "x.xml", "x").robots
+
+    assert robots == (ApplicationRobot("architecture", ("dig",)), ApplicationRobot("architecture/dig"))
+
+
 def test_application_keeps_filled_in_configs_with_their_lines() -> None:
     text = (
         "<rqt_mrta><application><name>X</name><architecture>alliance</architecture></application>\n"

@@ -16,15 +16,15 @@ __all__ = ["ApplicationFile", "read_application", "read_application_file"]
 
 
 class ApplicationFile(NamedTuple):
-    """An application and where its file says what.
+    """An application and where its file gives tasks to robots.
 
     Attributes:
         spec: the application.
-        lines: 1-based line of ``architecture``, ``<robot>`` and ``<robot>/<task>``.
+        task_lines: 1-based line of each task of a robot, by the ids of robot and task.
     """
 
     spec: ApplicationSpec
-    lines: Mapping[str, int]
+    task_lines: Mapping[Tuple[str, str], int]
 
 
 def read_application(text: Union[str, bytes], path: str, package: str) -> ApplicationSpec:
@@ -55,32 +55,31 @@ def read_application_file(text: Union[str, bytes], path: str, package: str) -> A
 def _read(root: Element, package: str) -> ApplicationFile:
     configs = read_configs(root)
     launches = read_launches(root)
-    lines: Dict[str, int] = {}
+    task_lines: Dict[Tuple[str, str], int] = {}
     application = root.child("application")
     if application is None:
         root.problem("application", "is missing or empty; it names the application and its robots")
-        return ApplicationFile(ApplicationSpec(package, ""), lines)
+        return ApplicationFile(ApplicationSpec(package, ""), task_lines)
     name = application.required("name")
     # The dissertation's files carry an empty url in the place of the architecture.
     application.ignore("url")
-    architecture = application.text("architecture")
-    if architecture is not None:
-        lines["architecture"] = architecture.line
-    robots = _read_robots(application.child("robots"), lines)
+    architecture = application.string("architecture") or None
+    robots = _read_robots(application.child("robots"), task_lines)
     application.finish()
     spec = ApplicationSpec(
         package=package,
         name=name,
-        architecture=architecture.value if architecture is not None else None,
+        architecture=architecture,
         robots=robots,
         configs=configs,
         launches=launches,
     )
-    return ApplicationFile(spec, lines)
+    return ApplicationFile(spec, task_lines)
 
 
-def _read_robots(holder: Optional[Element], lines: Dict[str, int]) -> Tuple[ApplicationRobot, ...]:
+def _read_robots(holder: Optional[Element], task_lines: Dict[Tuple[str, str], int]) -> Tuple[ApplicationRobot, ...]:
     robots: List[ApplicationRobot] = []
+    lines: Dict[str, int] = {}
     for _, _, element in holder.numbered(["robot"]) if holder is not None else ():
         name = read_id(element)
         if name in lines:
@@ -88,7 +87,7 @@ def _read_robots(holder: Optional[Element], lines: Dict[str, int]) -> Tuple[Appl
             name = ""
         if name:
             lines[name] = element.line
-        tasks = _read_tasks(element.child("tasks"), name, lines)
+        tasks = _read_tasks(element.child("tasks"), name, task_lines)
         element.finish()
         if name:
             robots.append(ApplicationRobot(name, tasks))
@@ -97,7 +96,7 @@ def _read_robots(holder: Optional[Element], lines: Dict[str, int]) -> Tuple[Appl
     return tuple(robots)
 
 
-def _read_tasks(holder: Optional[Element], robot: str, lines: Dict[str, int]) -> Tuple[str, ...]:
+def _read_tasks(holder: Optional[Element], robot: str, task_lines: Dict[Tuple[str, str], int]) -> Tuple[str, ...]:
     tasks: List[str] = []
     for _, _, element in holder.numbered(["task"]) if holder is not None else ():
         name = read_id(element)
@@ -105,7 +104,7 @@ def _read_tasks(holder: Optional[Element], robot: str, lines: Dict[str, int]) ->
         if name in tasks:
             element.problem("id", f"{name!r} stands twice; name each task once")
         elif name:
-            lines[f"{robot}/{name}"] = element.line
+            task_lines[robot, name] = element.line
             tasks.append(name)
     if holder is not None:
         holder.finish()

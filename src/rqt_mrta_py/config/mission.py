@@ -154,7 +154,7 @@ def _tasks(file: ApplicationFile, path: str, text: Optional[str], tasks_path: st
     problems = [
         Problem(
             path,
-            file.lines.get(f"{robot}/{name}", 0),
+            file.task_lines.get((robot, name), 0),
             f"{robot}/tasks",
             f"{name!r} is not in {Path(tasks_path).name}; {accepted(name, known)}",
         )
