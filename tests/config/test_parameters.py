@@ -102,6 +102,17 @@ def test_parameters_of_later_layers_cover_earlier_ones() -> None:
     assert resolve(SENSORS).sources["rate"] == ("a.xml", 3)
 
 
+def test_parameters_for_all_elements_cover_earlier_ones_for_one_of_them() -> None:
+    """A value from the command line for all elements once lost to a file's value for one of them."""
+    file = yaml_layer("sets: {set0: {impatience: {fast_rate: 9}}}", "p.yaml")
+    layers, problems = split_overrides(["robot1/sets/set@index@/impatience/fast_rate=2.5"], ["robot1"])
+    assert problems == ()
+
+    for layers_in_order, rates in (((file, layers["robot1"]), [2.5, 2.5]), ((layers["robot1"], file), [9.0, 2.5])):
+        sets = resolve(SENSORS, *layers_in_order).values["sets"]
+        assert [sets[f"set{index}"]["impatience"]["fast_rate"] for index in range(2)] == rates
+
+
 def test_parameters_of_an_array_that_names_no_task_come_in_the_number_that_the_application_gives() -> None:
     values = resolve(SENSORS, yaml_layer("sensors: {sensor1: {topic: sonar}}", "p.yaml")).values
 

@@ -45,8 +45,10 @@ class GivenValues:
 
     def __init__(self, layers: Sequence[Layer]) -> None:
         self._values: Layer = {}
-        for layer in layers:
+        self._ranks: Dict[Path, int] = {}
+        for rank, layer in enumerate(layers):
             self._values.update(layer)
+            self._ranks.update(dict.fromkeys(layer, rank))
         self._used: Set[Path] = set()
 
     @property
@@ -59,10 +61,10 @@ class GivenValues:
         return self._values.get(path)
 
     def look_up(self, place: Place) -> Optional[Given]:
-        """Give the value for a place, its own before one for all elements; both count as used."""
+        """Give the value for a place, of one layer its own before one for all elements; both count as used."""
         found = [path for path in (place.path, place.pattern) if path in self._values]
         self._used.update(found)
-        return self._values[found[0]] if found else None
+        return self._values[max(found, key=self._ranks.__getitem__)] if found else None
 
     def unused(self) -> Iterator[Tuple[Path, Given]]:
         """Give what was never looked up, in the order of the layers."""
