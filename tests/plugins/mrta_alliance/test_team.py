@@ -9,7 +9,7 @@ from typing import Any, Dict, Sequence
 import pytest
 
 from rqt_mrta_py.hooks import Outgoing
-from tests.plugins.mrta_alliance.team import Team, agent, behaviour_set, nested, step
+from tests.plugins.mrta_alliance.team import Team, agent, announced, behaviour_set, motivations, nested, step
 
 
 def by_default(tasks: Sequence[str], head_start: float = 0.5) -> Dict[str, Any]:
@@ -43,6 +43,19 @@ def test_equal_robots_without_a_head_start_decide_alike_for_ever() -> None:
     for cycle in range(1, 600):
         decisions = team.step_to(cycle)
         assert decisions["robot0"].task == decisions["robot1"].task
+
+
+def test_head_start_quickens_fast_and_slow_rate_by_place_in_the_team() -> None:
+    """Seniority 1, 1/2, 0 of three: times 1.5, 1.25, 1. Fast rate 2; slow rate 30 / 60 = 0.5 once robot9 is heard."""
+    team = ("robot0", "robot1", "robot2")
+    told = nested(behaviour_set("patrol", impatience={"fast_rate": 2.0, "head_start": 0.5}))
+    growths = []
+    for robot in (*team, "stranger"):
+        one = agent(robot, told, ["patrol"], team)
+        alone = motivations(step(one, 1.0))["patrol"]["impatience"]
+        heard = motivations(step(one, 1.2, [announced("robot9", "patrol", 1.2)]))["patrol"]["impatience"]
+        growths.append((alone, heard))
+    assert growths == [(3.0, 0.75), (2.5, 0.625), (2.0, 0.5), (2.0, 0.5)]
 
 
 def test_default_team_replaces_a_silent_robot_in_time() -> None:

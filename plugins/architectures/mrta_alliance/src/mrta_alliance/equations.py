@@ -61,6 +61,9 @@ class Announcements(NamedTuple):
 def applicable(sensory_feedback: bool, possible: bool) -> bool:
     """Judge whether the behaviour set can do anything in the present state of the environment (equation 3.1).
 
+    Differs from the paper: there the sensors alone decide; here a task that is over, or that the robot's behaviour
+    could not carry out now, is no longer applicable either.
+
     Args:
         sensory_feedback: what the sensory evaluator says; True for a behaviour set without sensors.
         possible: whether the task is still open and the robot's behaviour for it could be carried out.
@@ -102,8 +105,10 @@ def reset(others: Iterable[Announcements], before: float, now: float) -> bool:
     """Judge whether some robot announced the task for the first time since the cycle before (equation 3.4).
 
     Each other robot resets a behaviour set once in its life, lest a robot that fails again and again keep the task
-    from being done. What counts is the cycle at which r_i takes the first message in: one that was received at the
-    very moment of the cycle before, but after it, resets all the same.
+    from being done.
+
+    Differs from the paper: what counts is the cycle at which r_i takes the first message in, not when it was received.
+    One that came at the very moment of the cycle before, but after it, would otherwise reset nothing.
 
     Args:
         others: the robots heard of this task.
@@ -170,8 +175,8 @@ def impatience(
     """Give the growth of motivation in this cycle (equation 3.7).
 
     Differs from the paper: its printed minimum has no index set; it runs over K, the robots heard within tau and
-    first heard no longer than phi ago. The fast rate bounds it, so that a robot that announces a duration too short
-    to slow anybody down speeds nobody up.
+    first heard less than phi ago. The fast rate bounds it, so that a robot that announces a duration too short to
+    slow anybody down speeds nobody up. A robot's head start, which multiplies it, is ours (see ``parameters``).
 
     Args:
         others: the robots heard of this task.
@@ -202,7 +207,7 @@ def motivation(
 
     Differs from the paper: the dissertation prints the product with inhibited, reset and acquiescent themselves,
     which would let motivation grow only while all three strike. Its text, Parker's definitions of opposite polarity
-    and the original nodes agree on their negations.
+    and the original nodes agree on their negations. And growth ends at the threshold, as in the original nodes.
 
     Args:
         previous: motivation_ij(t - dt), 0 at first [1].

@@ -59,8 +59,10 @@ class BehaviourSetParameters:
         yielding_delay: psi, after what time of activity it yields to another robot [s].
         giving_up_delay: lambda, after what time of activity it gives up [s].
         fast_rate: delta_fast, growth of motivation in a cycle while nobody carries out the task [1].
-        head_start: by what share motivation grows faster in the team's first robot than in its last [1]. Not in the
-            paper: equal robots that cycle at the same moments decide alike for ever; hardware differs by itself.
+        head_start: by what share motivation grows faster in the team's first robot than in its last, and evenly less
+            in those between [1]. Differs from the paper: equation 3.7 times 1 + head_start x seniority, so that fast
+            and slow rates grow alike. Equal robots that cycle at the same moments would decide alike for ever;
+            hardware differs by itself.
         evaluator: name of the sensory evaluator, asked only if there are sensors.
         sensors: topics of the robot's sensors that it is judged by, in file order.
     """
