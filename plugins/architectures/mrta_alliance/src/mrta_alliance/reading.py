@@ -27,6 +27,12 @@ _BEHAVIOUR_SET_NUMBERS = {
     "head_start": "motivational_behaviour/impatience/head_start",
 }
 _FEEDBACK = "motivational_behaviour/sensory_feedback"
+_BEHAVIOUR_SET_GROUPS = (
+    "motivational_behaviour",
+    "motivational_behaviour/acquiescence",
+    "motivational_behaviour/impatience",
+    _FEEDBACK,
+)
 
 
 def read_parameters(nested: Mapping[str, Any], tasks: Sequence[str]) -> AllianceParameters:
@@ -94,6 +100,8 @@ def _sensor(nested: Mapping[str, Any], path: str, problems: List[ParameterProble
 def _behaviour_set(
     nested: Mapping[str, Any], path: str, sensors: Mapping[str, SensorParameters], problems: List[ParameterProblem]
 ) -> Optional[BehaviourSetParameters]:
+    for group in _BEHAVIOUR_SET_GROUPS:
+        _group(nested, f"{path}/{group}", problems)
     topics = []
     for where in _elements(nested, f"{path}/{_FEEDBACK}/sensors", "sensor", problems):
         topic = _text(nested, f"{where}/topic_name", "", problems)
@@ -132,8 +140,8 @@ def _made(path: str, problems: List[ParameterProblem], make: Callable[[], _Value
 
 def _elements(nested: Mapping[str, Any], path: str, name: str, problems: List[ParameterProblem]) -> Iterator[str]:
     """Yield the paths of a group's numbered elements: as many as ``size`` says, or, without it, as there are."""
-    group = _find(nested, path)
-    if not isinstance(group, Mapping):
+    group = _group(nested, path, problems)
+    if group is None:
         return
     size = group.get("size", sum(key.startswith(name) for key in group))
     if not isinstance(size, int) or isinstance(size, bool) or size < 0:
@@ -144,6 +152,14 @@ def _elements(nested: Mapping[str, Any], path: str, name: str, problems: List[Pa
             problems.append(ParameterProblem(f"{path}/{name}{index}", f"is missing; size says that there are {size}"))
             return
         yield f"{path}/{name}{index}"
+
+
+def _group(nested: Mapping[str, Any], path: str, problems: List[ParameterProblem]) -> Optional[Mapping[str, Any]]:
+    group = _find(nested, path)
+    if group is None or isinstance(group, Mapping):
+        return group
+    problems.append(ParameterProblem(path, f"must be a group of parameters (got {group!r})"))
+    return None
 
 
 def _numbers(
