@@ -346,9 +346,28 @@ def test_host_names_an_agent_that_raises() -> None:
     assert isinstance(caught.value.__cause__, KeyError)
 
 
+def test_host_asks_behaviours_about_all_tasks_when_it_is_made() -> None:
+    """A speed of 99 m/s once came out at the first tick only, with a folder of outputs begun."""
+
+    def refuse(task: Task, _: Perception) -> bool:
+        raise ValueError(f"task {task.id!r}: data/speed: must be from 0.02 to 5 m/s (got 99.0)")
+
+    digger = Digger()
+    digger.applicable = refuse  # type: ignore[method-assign]
+    with pytest.raises(RobotError) as caught:
+        make_host(Scripted(lambda _: None), tasks=(DIG, MOW, Task("dig2", "dig")), dig=digger)
+    assert str(caught.value).splitlines() == [
+        f"robot1: behaviour 'dig' on task '{task}' cannot begin: "
+        f"ValueError: task '{task}': data/speed: must be from 0.02 to 5 m/s (got 99.0)"
+        for task in ("dig1", "dig2")
+    ]
+    assert isinstance(caught.value.__cause__, ValueError)
+
+
 @pytest.mark.parametrize("method", ["applicable", "start", "step"])
 def test_host_names_a_behaviour_that_raises(method: str) -> None:
     digger = Digger()
+    host = make_host(Scripted(lambda _: "dig1"), dig=digger)
 
     def fail(*_: object) -> Any:
         raise ValueError("bent spade")
@@ -356,7 +375,7 @@ def test_host_names_a_behaviour_that_raises(method: str) -> None:
     setattr(digger, method, fail)
     expected = r"robot1: behaviour 'dig' on task 'dig1' failed at 1\.000 s: ValueError: bent spade"
     with pytest.raises(RobotError, match=expected) as caught:
-        make_host(Scripted(lambda _: "dig1"), dig=digger).step(0, 1.0)
+        host.step(0, 1.0)
     assert isinstance(caught.value.__cause__, ValueError)
 
 

@@ -63,7 +63,8 @@ class RobotHost:
         setup: whom to run, and for which tasks.
 
     Raises:
-        RobotError: two tasks of one id, a task without a behaviour for its kind, or a rate that is not above 0.
+        RobotError: two tasks of one id, a task without a behaviour for its kind, tasks that their behaviours cannot be
+            asked about (one line for each), or a rate that is not above 0.
     """
 
     def __init__(self, setup: HostSetup) -> None:
@@ -72,6 +73,7 @@ class RobotHost:
         self._senses = Senses()
         self._views = {kind: BehaviourPerception(self._senses) for kind in setup.behaviours}
         self._charges = self._assign(setup)
+        self._ask_about_every_task()
         try:
             self._cycle = Cycle(setup.agent.rate, setup.control_rate)
         except ValueError as error:
@@ -145,6 +147,20 @@ class RobotHost:
                 )
             charges[task.id] = _Charge(task, behaviour, self._views[task.kind])
         return charges
+
+    def _ask_about_every_task(self) -> None:
+        """Let behaviours refuse what makes no sense in a task now, before anything is said or moves."""
+        problems: List[str] = []
+        cause: Optional[Exception] = None
+        for charge in self._charges.values():
+            try:
+                charge.behaviour.applicable(charge.task, charge.perception)
+            except Exception as error:  # noqa: BLE001 - a plugin may raise anything; all tasks are asked about first
+                who = f"behaviour {charge.task.kind!r} on task {charge.task.id!r}"
+                problems.append(f"{self._robot_id}: {who} cannot begin: {type(error).__name__}: {error}")
+                cause = cause or error
+        if problems:
+            raise RobotError("\n".join(problems)) from cause
 
     def _listen(self, setup: HostSetup) -> Sequence[Tuple[Subscription, _Callback]]:
         listeners: List[Tuple[Subscription, _Callback]] = [(Senses.POSE, self._awake(self._senses.hear_pose))]
