@@ -24,6 +24,8 @@ COMPILED = {
     "scipy.optimize": "scipy",
     "scipy.spatial": "scipy",
     "cv2": "opencv-python-headless",
+    "PIL.ImageFont": "pillow",
+    "PIL._imagingft": "pillow",
     "matplotlib.figure": "matplotlib",
     "matplotlib.backends.backend_agg": "matplotlib",
     "pybullet": "pybullet",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -88,6 +89,14 @@ def test_every_compiled_dependency_is_declared(root: Path) -> None:
     declared = (root / "setup.py").read_text(encoding="utf-8")
     for name in packages.COMPILED.values():
         assert f'"{name}>=' in declared
+
+
+def test_every_declared_dependency_that_is_compiled_is_imported(root: Path) -> None:
+    """pillow, for one, was installed and never tried."""
+    text = (root / "setup.py").read_text(encoding="utf-8")
+    used = text[: text.index('EXTRAS["test"]')] + text[text.index("install_requires") :]
+    pure = {"catkin_pkg", "pluggy", "rich", "rospkg"}
+    assert set(re.findall(r'"([\w-]+)>=', used)) == {*packages.COMPILED.values(), *pure}
 
 
 def test_without_ensurepip_and_virtualenv_the_package_is_named(
