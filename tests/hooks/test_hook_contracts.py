@@ -1,0 +1,146 @@
+"""Every hook keeps its promise to a stranger: what one plugin registers takes effect in a mission of two seconds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, List, NamedTuple
+
+import pytest
+
+from rqt_mrta_py.app.compose import Host
+from rqt_mrta_py.app.embedded import EmbeddedRun
+from rqt_mrta_py.app.observation import Observation
+from rqt_mrta_py.app.pictures import PictureSchedule
+from rqt_mrta_py.config import discover, load_mission
+from rqt_mrta_py.errors import ConfigError
+from rqt_mrta_py.hooks import Stamped
+from rqt_mrta_py.hooks.contract import HOOKS
+from rqt_mrta_py.hooks.manager import PluginManager
+from rqt_mrta_py.model import MissionRecord, Twist
+from tests.hooks.stranger import MISSION, MOLE, Stranger
+
+
+class Story(NamedTuple):
+    """What a mission with the stranger's plugin alone left behind."""
+
+    stranger: Stranger
+    stream: List[Stamped]
+    heard: List[Any]
+    record: MissionRecord
+    pictures: List[Path]
+
+
+@pytest.fixture(scope="module")
+def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
+    stranger = Stranger()
+    manager = PluginManager()
+    manager.register(stranger, "stranger")
+    host = Host(discover({}, prefix="/nowhere", shares=(), distributions=()), manager, [])
+    codec = host.codec()
+    observation = Observation(MISSION, codec, manager, 1.5)
+    run = EmbeddedRun(MISSION, 1.5, codec, manager, observation)
+    folder = tmp_path_factory.mktemp("pictures")
+    stream: List[Stamped] = []
+    run.attach(stream.append, PictureSchedule(host.renderer("monitor"), folder, 5, 10))
+    for tick in range(run.last_tick + 1):
+        run.step(tick)
+    record = observation.finish()
+    run.close()
+    heard = [(each.connection.topic, codec.decode(each.connection, each.raw)) for each in stream]
+    return Story(stranger, stream, heard, record, sorted(folder.iterdir()))
+
+
+def said(story: Story, topic: str) -> List[Any]:
+    return [fields for name, fields in story.heard if name == topic]
+
+
+@pytest.mark.parametrize("hook", HOOKS)
+def test_every_hook_has_a_test_of_its_own_here(hook: str) -> None:
+    name = f"test_hook_{hook}"
+    assert any(each == name or each.startswith(f"{name}_") for each in globals())
+    assert hasattr(Stranger, hook)
+
+
+def test_hook_mrta_register_agents_decides_for_a_robot_of_its_architecture(story: Story) -> None:
+    (allocation,) = story.record.allocations
+    assert (allocation.robot, allocation.task, allocation.start, allocation.end) == ("mole1", "dig", 1.5, 2.0)
+
+
+def test_hook_mrta_register_allocation_interpreters_says_how_an_allocation_ended(story: Story) -> None:
+    (ended,) = [event for event in story.stranger.events if event.kind == "allocation_ended"]
+    assert (ended.time, ended.state, ended.text) == (2.0, "gave_up", "mole1 has given up dig: too hard")
+
+
+def test_hook_mrta_register_behaviours_carries_out_its_kind_and_tells_the_cost(story: Story) -> None:
+    assert [fields["data"] for fields in said(story, "/mole1/claim/dig")] == ["1.5 m"] * 5
+    driven = [fields["linear"]["x"] for fields in said(story, "/mole1/cmd_vel")]
+    assert max(driven) == MOLE.max_speed
+
+
+def test_hook_mrta_register_sensory_evaluators_is_asked_by_the_agent(story: Story) -> None:
+    claims = [each for each in story.stream if each.connection.topic == "/mole1/claim/dig"]
+    assert claims[0].receipt_ns == 1_500_000_000
+
+
+def test_hook_mrta_register_worlds_is_stepped_and_commanded(story: Story) -> None:
+    world = story.stranger.world
+    assert world.setup is not None
+    assert (world.setup.tick, world.steps, world.closed) == (0.1, 16, 1)
+    assert world.commands == {"mole1": Twist()}
+
+
+def test_hook_mrta_register_robot_models_says_what_is_built(story: Story) -> None:
+    setup = story.stranger.world.setup
+    assert setup is not None
+    assert [robot.model for robot in setup.robots] == [MOLE]
+
+
+def test_hook_mrta_register_sensors_publishes_in_the_namespace_of_its_robot(story: Story) -> None:
+    assert [fields["data"] for fields in said(story, "/mole1/mileage")] == [1.5] * 16
+
+
+def test_hook_mrta_register_incident_rules_puts_up_incidents(story: Story) -> None:
+    (incident,) = story.record.incidents
+    assert (incident.rule, incident.start, incident.text) == ("any_allocation", 1.5, "somebody works in Garden")
+
+
+def test_hook_mrta_register_statistics_sums_the_mission_up(story: Story) -> None:
+    assert story.record.statistics == {"gave_up": 1}
+
+
+def test_hook_mrta_register_monitor_panels_shows_in_the_pictures(story: Story) -> None:
+    (panel,) = story.stranger.views[1].panels
+    (curve,) = panel.groups[0].curves
+    assert curve.times == pytest.approx([1.0, 1.1, 1.2, 1.3, 1.4, 1.5])
+    assert set(curve.values) == {1.5}
+
+
+def test_hook_mrta_register_renderers_draws_every_period(story: Story) -> None:
+    assert [view.now for view in story.stranger.views] == [1.0, 1.5, 2.0, 2.5]
+    assert len(story.pictures) == 4
+    assert len(said(story, "/mrta/monitor/compressed")) == 4
+
+
+def test_hook_mrta_check_parameters_refuses_a_value_where_it_was_set(root: Path) -> None:
+    manager = PluginManager()
+    manager.register(Stranger(), "stranger")
+    registry = discover({}, prefix="/nowhere", shares=(), distributions=())
+
+    with pytest.raises(ConfigError) as caught:
+        load_mission(registry, "border_patrol", overrides=["robot2/spin_rate=3"], manager=manager)
+
+    assert str(caught.value) == "--set: robot2/spin_rate: 3.0 Hz is too much for 3 tasks"
+
+
+def test_hook_mrta_on_mission_start_comes_first_and_once(story: Story) -> None:
+    assert story.stranger.missions == [MISSION]
+
+
+def test_hook_mrta_on_event_tells_each_event_of_the_record_in_order(story: Story) -> None:
+    assert tuple(story.stranger.events) == story.record.events
+    assert len(story.stranger.events) >= 6
+
+
+def test_hook_mrta_on_mission_end_is_given_the_finished_record(story: Story) -> None:
+    assert story.stranger.records == [story.record]
+    assert story.record.statistics
