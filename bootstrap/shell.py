@@ -12,7 +12,7 @@ from typing import Mapping, Optional, Sequence
 MISSING = 4
 
 # Variables of the user's that would lead pip or Python past the virtual environment.
-_MISLEADING = ("PIP_PREFIX", "PIP_ROOT", "PIP_TARGET", "PIP_USER", "PYTHONHOME", "PYTHONPATH")
+_MISLEADING = ("PIP_PREFIX", "PIP_ROOT", "PIP_TARGET", "PYTHONHOME", "PYTHONPATH")
 
 
 class SetupError(Exception):
@@ -35,7 +35,9 @@ def clean_environment() -> Mapping[str, str]:
         Variables for a child process.
     """
     kept = {name: value for name, value in os.environ.items() if name not in _MISLEADING}
-    return {**kept, "PYTHONNOUSERSITE": "1", "PIP_DISABLE_PIP_VERSION_CHECK": "1", "LC_ALL": "C.UTF-8"}
+    # Said, not left out: a pip.conf with "user = true" would win over silence.
+    settled = {"PYTHONNOUSERSITE": "1", "PIP_USER": "0", "PIP_DISABLE_PIP_VERSION_CHECK": "1", "LC_ALL": "C.UTF-8"}
+    return {**kept, **settled}
 
 
 def run(

@@ -138,4 +138,6 @@ def test_the_users_pip_and_python_settings_do_not_reach_the_set_up(monkeypatch: 
     assert "PYTHONPATH" not in kept
     assert "PIP_TARGET" not in kept
     assert kept["PYTHONNOUSERSITE"] == "1"
+    # A pip.conf with "user = true" once ended the set-up: pip asks the environment first.
+    assert kept["PIP_USER"] == "0"
     assert kept["PIP_INDEX_URL"] == "https://index.example/simple"
