@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Optional, Sequence
 
 import numpy as np
 
 from basic_behaviours.driving import Driver
-from basic_behaviours.settings import SettingsReader, require_between
-from basic_behaviours.sight import SCAN, Sight, SightReader
-from rqt_mrta_py.hooks import BehaviourSetup, BehaviourStep, Command, Perception, Subscription
+from basic_behaviours.settings import require_between
+from basic_behaviours.sight import Sight
+from basic_behaviours.sighted import SightedBehaviour
+from rqt_mrta_py.hooks import BehaviourSetup, BehaviourStep, Command, Perception
 from rqt_mrta_py.model import Task
 
 __all__ = ["Avoid", "AvoidSettings", "away_from_near"]
@@ -36,7 +36,7 @@ class AvoidSettings:
         require_between("distance", self.distance, 0.05, 10.0, "m")
 
 
-class Avoid:
+class Avoid(SightedBehaviour[AvoidSettings]):
     """Keeps clear of everything: drives where the near things push it, until all are 0.1 m farther than demanded.
 
     Where they push from all sides alike, it goes where there is most room. Never done. Costs nothing to begin with.
@@ -46,44 +46,29 @@ class Avoid:
     """
 
     def __init__(self, setup: BehaviourSetup) -> None:
-        self._radius = setup.model.radius
+        super().__init__(setup, AvoidSettings)
         self._driver = Driver(setup.model, setup.random)
-        self._settings = SettingsReader(AvoidSettings)
-        self._sights = SightReader()
         self._moving = False
-
-    def subscriptions(self) -> Sequence[Subscription]:
-        """Hear the range finder."""
-        return (SCAN,)
-
-    def applicable(self, task: Task, perception: Perception) -> bool:
-        """Tell whether robot and surroundings are known."""
-        self._settings.read(task)
-        return perception.pose is not None and self._sights.is_fresh(perception)
-
-    def cost(self, task: Task, perception: Perception) -> Optional[float]:
-        """Give 0: work begins where the robot is [m]."""
-        return 0.0
 
     def start(self, task: Task, perception: Perception) -> None:
         """Begin standing still."""
-        self._settings.read(task)
+        self._read(task)
         self._driver.begin()
         self._moving = False
 
     def step(self, task: Task, perception: Perception) -> BehaviourStep:
         """Move away from what is near; stand still where nothing is, or nothing is known."""
-        settings = self._settings.read(task)
+        settings = self._read(task)
         pose, sight = perception.pose, self._sights.read(perception)
         if pose is None or sight is None:
             return BehaviourStep()
-        distance = self._radius + settings.distance
+        distance = self._model.radius + settings.distance
         nearest = float(sight.ranges.min())
         self._moving = nearest < (distance + _RELIEF if self._moving else distance)
         if not self._moving:
             self._driver.begin()
             return BehaviourStep()
-        away = away_from_near(sight, distance + _RELIEF, self._radius)
+        away = away_from_near(sight, distance + _RELIEF, self._model.radius)
         twist, _ = self._driver.drive(perception.now, pose, sight, away, settings.speed, room=0.2)
         return BehaviourStep((Command("base", twist),))
 

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Optional, Sequence
+from typing import Optional
 
 import numpy as np
 
 from basic_behaviours.driving import Driver, open_direction
-from basic_behaviours.settings import SettingsReader, require_between, require_choice
-from basic_behaviours.sight import SCAN, Sight, SightReader
+from basic_behaviours.settings import require_between, require_choice
+from basic_behaviours.sight import Sight
+from basic_behaviours.sighted import SightedBehaviour
 from basic_behaviours.wall import KnownWall, Wall, length_at, nearest_long_wall, wall_beside
-from rqt_mrta_py.hooks import BehaviourSetup, BehaviourStep, Command, Perception, Subscription
+from rqt_mrta_py.hooks import BehaviourSetup, BehaviourStep, Command, Perception
 from rqt_mrta_py.model import Pose, Task, Twist, wrap_angle
 
 __all__ = ["FollowBorder", "FollowBorderSettings"]
@@ -52,7 +53,7 @@ class FollowBorderSettings:
         require_choice("sense", self.sense, tuple(_SIDES))
 
 
-class FollowBorder:
+class FollowBorder(SightedBehaviour[FollowBorderSettings]):
     """Looks for a wall, then keeps it on one side.
 
     What is short and stands before the wall, a robot for instance, is passed on its far side, and so far from the wall
@@ -71,11 +72,8 @@ class FollowBorder:
     """
 
     def __init__(self, setup: BehaviourSetup) -> None:
-        self._model = setup.model
-        self._random = setup.random
+        super().__init__(setup, FollowBorderSettings)
         self._driver = Driver(setup.model, setup.random)
-        self._settings = SettingsReader(FollowBorderSettings)
-        self._sights = SightReader()
         self._search: Optional[float] = None
         self._search_until = 0.0
         self._least_length = _LONG
@@ -88,15 +86,6 @@ class FollowBorder:
         self._last_yaw = 0.0
         self._turned = 0.0
         self._least_turned = 0.0
-
-    def subscriptions(self) -> Sequence[Subscription]:
-        """Hear the range finder."""
-        return (SCAN,)
-
-    def applicable(self, task: Task, perception: Perception) -> bool:
-        """Tell whether robot and surroundings are known."""
-        self._read(task)
-        return perception.pose is not None and self._sights.is_fresh(perception)
 
     def cost(self, task: Task, perception: Perception) -> Optional[float]:
         """Give the way to the nearest thing seen [m]; None if nothing is known or seen."""
@@ -128,7 +117,7 @@ class FollowBorder:
         return BehaviourStep((Command("base", twist),))
 
     def _read(self, task: Task) -> FollowBorderSettings:
-        settings = self._settings.read(task)
+        settings = super()._read(task)
         least = self._model.radius + 0.1
         if settings.distance < least:
             raise ValueError(

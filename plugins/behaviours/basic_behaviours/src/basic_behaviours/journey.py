@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from enum import Enum
 from typing import List, NamedTuple, Optional
 
 from basic_behaviours.driving import Driver
 from basic_behaviours.seen_things import REMEMBERED, SeenThings
+from basic_behaviours.settings import require_between
 from basic_behaviours.sight import Sight
 from rqt_mrta_py.hooks import BehaviourSetup, CostField
 from rqt_mrta_py.model import Pose, Twist
 
-__all__ = ["Journey", "JourneyState", "JourneyStep"]
+__all__ = ["Journey", "JourneySettings", "JourneyState", "JourneyStep"]
 
 _NEXT_POINT = 0.25
 _CUT_CORNER = 0.6
@@ -20,6 +22,26 @@ _LOOK_AHEAD = 0.8
 _REPLAN_AFTER = 1.0
 _REPLAN_EVERY = 2.0
 _NEARER = 0.2
+
+
+@dataclass(frozen=True)
+class JourneySettings:
+    """What the data of a task at a place may say of the journey there.
+
+    Attributes:
+        speed: at most; also never above the robot's own top speed, from 0.02 to 5 [m/s].
+        tolerance: how near is there, from 0.05 to 5 [m].
+        patience: how long to try without coming nearer before the place counts as unreachable, from 1 to 3600 [s].
+    """
+
+    speed: float = 0.3
+    tolerance: float = 0.2
+    patience: float = 30.0
+
+    def __post_init__(self) -> None:
+        require_between("speed", self.speed, 0.02, 5.0, "m/s")
+        require_between("tolerance", self.tolerance, 0.05, 5.0, "m")
+        require_between("patience", self.patience, 1.0, 3600.0, "s")
 
 
 class JourneyState(Enum):
@@ -52,7 +74,7 @@ class Journey:
         self._navigator = setup.navigator
         self._driver = Driver(setup.model, setup.random)
         self._place = Pose(0.0, 0.0)
-        self._speed = self._tolerance = self._patience = 0.0
+        self._settings = JourneySettings()
         self._field: Optional[CostField] = None
         self._points: List[Pose] = []
         self._seen = SeenThings()
@@ -66,16 +88,14 @@ class Journey:
         """Give the length of the way from a pose to a place on the known map [m]; None if there is none."""
         return self._navigator.cost_field(place).at(pose)
 
-    def begin(self, place: Pose, *, speed: float, tolerance: float, patience: float) -> None:
+    def begin(self, place: Pose, settings: JourneySettings) -> None:
         """Set out for a place.
 
         Args:
             place: where to, in the frame ``map``; its heading does not matter.
-            speed: at most [m/s].
-            tolerance: how near is there [m].
-            patience: how long to try without coming nearer [s].
+            settings: how fast, how near, how long.
         """
-        self._place, self._speed, self._tolerance, self._patience = place, speed, tolerance, patience
+        self._place, self._settings = place, settings
         self._driver.begin()
         self._field = None
         self._seen.clear()
@@ -84,18 +104,18 @@ class Journey:
 
     def step(self, now: float, pose: Pose, sight: Sight) -> JourneyStep:
         """Carry out one control tick."""
-        if pose.distance(self._place) <= self._tolerance:
+        if pose.distance(self._place) <= self._settings.tolerance:
             return JourneyStep(JourneyState.ARRIVED)
         if self._field is None:
             problem = self._set_out(now, pose)
             if problem:
                 return JourneyStep(JourneyState.NO_WAY, detail=problem)
         if self._out_of_patience(now, pose):
-            return JourneyStep(JourneyState.NO_WAY, detail=f"came no nearer for {self._patience:g} s")
+            return JourneyStep(JourneyState.NO_WAY, detail=f"came no nearer for {self._settings.patience:g} s")
         self._pass_points(pose)
         target = self._points[0]
         room = min(_LOOK_AHEAD, max(0.1, pose.distance(target) - 0.1))
-        twist, as_wished = self._driver.drive(now, pose, sight, pose.bearing(target), self._speed, room=room)
+        twist, as_wished = self._driver.drive(now, pose, sight, pose.bearing(target), self._settings.speed, room=room)
         self._replan_if_barred(now, pose, sight, as_wished)
         return JourneyStep(JourneyState.UNDER_WAY, _slow_down(twist, pose.distance(self._place)))
 
@@ -106,7 +126,7 @@ class Journey:
         if points is None:
             return "the known map has no way there"
         short_of = points[-1].distance(self._place)
-        if short_of > self._tolerance:
+        if short_of > self._settings.tolerance:
             return f"the nearest place that the robot can stand at is {short_of:.2f} m off"
         self._points = list(points)
         self._field = self._navigator.cost_field(self._place)
@@ -121,7 +141,7 @@ class Journey:
         if left is not None and left < self._least_left - _NEARER:
             self._least_left = left
             self._nearer_at = now
-        return now - self._nearer_at > self._patience
+        return now - self._nearer_at > self._settings.patience
 
     def _pass_points(self, pose: Pose) -> None:
         while len(self._points) > 1:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Optional, Sequence
+from typing import Optional
 
-from basic_behaviours.journey import Journey, JourneyState
-from basic_behaviours.settings import SettingsReader, require_between, require_place
-from basic_behaviours.sight import SCAN, SightReader
-from rqt_mrta_py.hooks import BehaviourSetup, BehaviourStep, Command, Outgoing, Perception, Subscription
+from basic_behaviours.at_place import PlaceBehaviour
+from basic_behaviours.journey import JourneySettings, JourneyState
+from basic_behaviours.settings import require_between, require_place
+from rqt_mrta_py.hooks import BehaviourSetup, BehaviourStep, Command, Outgoing, Perception
 from rqt_mrta_py.model import Progress, Task
 
 __all__ = ["Report", "ReportSettings"]
@@ -18,34 +18,26 @@ _DRIFT = 0.15
 
 
 @dataclass(frozen=True)
-class ReportSettings:
-    """What the data of a task of kind ``report`` may say.
+class ReportSettings(JourneySettings):
+    """What the data of a task of kind ``report`` may say, besides what concerns the journey.
 
     Attributes:
-        speed: at most; also never above the robot's own top speed, from 0.02 to 5 [m/s].
-        tolerance: how near is there, from 0.05 to 5 [m].
-        patience: how long to try without coming nearer before the place counts as unreachable, from 1 to 3600 [s].
         period: between reports, from 0.1 to 3600 [s].
         count: after how many reports a task that is not perpetual is done, from 1 to 1000000.
         text: of the report; empty: ``<robot> reports from <task>``.
     """
 
-    speed: float = 0.3
-    tolerance: float = 0.2
-    patience: float = 30.0
     period: float = 2.0
     count: int = 1
     text: str = ""
 
     def __post_init__(self) -> None:
-        require_between("speed", self.speed, 0.02, 5.0, "m/s")
-        require_between("tolerance", self.tolerance, 0.05, 5.0, "m")
-        require_between("patience", self.patience, 1.0, 3600.0, "s")
+        super().__post_init__()
         require_between("period", self.period, 0.1, 3600.0, "s")
         require_between("count", self.count, 1, 1_000_000, "reports")
 
 
-class Report:
+class Report(PlaceBehaviour[ReportSettings]):
     """Publishes std_msgs/String on ``report`` at the task's place: on arrival and every period from then on.
 
     It stays put there; pushed off by more than 0.15 m beyond the tolerance, it returns first. Done after as many
@@ -56,41 +48,27 @@ class Report:
     """
 
     def __init__(self, setup: BehaviourSetup) -> None:
+        super().__init__(setup, ReportSettings)
         self._robot_id = setup.robot_id
-        self._journey = Journey(setup)
-        self._settings = SettingsReader(ReportSettings)
-        self._sights = SightReader()
         self._there = False
         self._due: Optional[float] = None
         self._made = 0
-
-    def subscriptions(self) -> Sequence[Subscription]:
-        """Hear the range finder."""
-        return (SCAN,)
-
-    def applicable(self, task: Task, perception: Perception) -> bool:
-        """Tell whether robot and surroundings are known."""
-        self._settings.read(task)
-        require_place(task)
-        return perception.pose is not None and self._sights.is_fresh(perception)
-
-    def cost(self, task: Task, perception: Perception) -> Optional[float]:
-        """Give the length of the way on the known map [m]; None if there is none, or no pose is known."""
-        return self._journey.left(require_place(task), perception.pose) if perception.pose else None
 
     def start(self, task: Task, perception: Perception) -> None:
         """Set out; the reports made before do not count."""
         self._made = 0
         self._due = None
+        self._there = False
         self._set_out(task)
 
     def step(self, task: Task, perception: Perception) -> BehaviourStep:
         """Drive there or report; stand still while robot or surroundings are not known."""
-        settings = self._settings.read(task)
+        settings = self._read(task)
         pose, sight = perception.pose, self._sights.read(perception)
         if pose is None or sight is None:
             return BehaviourStep()
         if self._there and pose.distance(require_place(task)) > settings.tolerance + _DRIFT:
+            self._there = False
             self._set_out(task)
         if not self._there:
             state, twist, detail = self._journey.step(perception.now, pose, sight)
@@ -102,13 +80,6 @@ class Report:
         if self._due is not None and perception.now < self._due - _TIME_SLACK:
             return BehaviourStep()
         return self._report(task, settings, perception.now)
-
-    def _set_out(self, task: Task) -> None:
-        settings = self._settings.read(task)
-        self._there = False
-        self._journey.begin(
-            require_place(task), speed=settings.speed, tolerance=settings.tolerance, patience=settings.patience
-        )
 
     def _report(self, task: Task, settings: ReportSettings, now: float) -> BehaviourStep:
         # The next one is a period after this one was due, unless it is late by more than a period.

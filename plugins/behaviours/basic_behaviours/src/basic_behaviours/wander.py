@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Optional, Sequence
+from typing import Optional
 
 from basic_behaviours.driving import Driver, open_direction
-from basic_behaviours.settings import SettingsReader, require_between
-from basic_behaviours.sight import SCAN, Sight, SightReader
-from rqt_mrta_py.hooks import BehaviourSetup, BehaviourStep, Command, Perception, Subscription
+from basic_behaviours.settings import require_between
+from basic_behaviours.sight import Sight
+from basic_behaviours.sighted import SightedBehaviour
+from rqt_mrta_py.hooks import BehaviourSetup, BehaviourStep, Command, Perception
 from rqt_mrta_py.model import Task, wrap_angle
 
 __all__ = ["Wander", "WanderSettings"]
@@ -34,7 +35,7 @@ class WanderSettings:
         require_between("period", self.period, 1.0, 3600.0, "s")
 
 
-class Wander:
+class Wander(SightedBehaviour[WanderSettings]):
     """Drives straight, and takes a new random heading among the open ones when its time is up or the way is barred.
 
     Each heading is held for half to one and a half periods. Never done. Costs nothing to begin with.
@@ -44,44 +45,28 @@ class Wander:
     """
 
     def __init__(self, setup: BehaviourSetup) -> None:
-        self._radius = setup.model.radius
-        self._random = setup.random
+        super().__init__(setup, WanderSettings)
         self._driver = Driver(setup.model, setup.random)
-        self._settings = SettingsReader(WanderSettings)
-        self._sights = SightReader()
         self._heading: Optional[float] = None
         self._until = 0.0
         self._barred_since: Optional[float] = None
 
-    def subscriptions(self) -> Sequence[Subscription]:
-        """Hear the range finder."""
-        return (SCAN,)
-
-    def applicable(self, task: Task, perception: Perception) -> bool:
-        """Tell whether robot and surroundings are known."""
-        self._settings.read(task)
-        return perception.pose is not None and self._sights.is_fresh(perception)
-
-    def cost(self, task: Task, perception: Perception) -> Optional[float]:
-        """Give 0: work begins where the robot is [m]."""
-        return 0.0
-
     def start(self, task: Task, perception: Perception) -> None:
         """Begin with a new heading."""
-        self._settings.read(task)
+        self._read(task)
         self._driver.begin()
         self._heading = None
         self._barred_since = None
 
     def step(self, task: Task, perception: Perception) -> BehaviourStep:
         """Drive; stand still while robot or surroundings are not known."""
-        settings = self._settings.read(task)
+        settings = self._read(task)
         pose, sight = perception.pose, self._sights.read(perception)
         if pose is None or sight is None:
             return BehaviourStep()
         now = perception.now
         if self._heading is None or now >= self._until or self._barred(now, pose.yaw, sight):
-            self._heading = wrap_angle(pose.yaw + open_direction(sight, _ROOM, self._radius + 0.15, self._random))
+            self._heading = wrap_angle(pose.yaw + open_direction(sight, _ROOM, self._model.radius + 0.15, self._random))
             self._until = now + settings.period * self._random.uniform(0.5, 1.5)
             self._barred_since = None
         wish = wrap_angle(self._heading - pose.yaw)
@@ -92,7 +77,7 @@ class Wander:
         """Tell whether the heading has been barred for half a second, so that one stray ray does not count."""
         if self._heading is None:
             return False
-        if sight.travel_towards(wrap_angle(self._heading - yaw), self._radius + 0.1) >= _TOO_CLOSE:
+        if sight.travel_towards(wrap_angle(self._heading - yaw), self._model.radius + 0.1) >= _TOO_CLOSE:
             self._barred_since = None
             return False
         if self._barred_since is None:
