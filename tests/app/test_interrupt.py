@@ -1,15 +1,28 @@
-"""Ctrl-C ends a run early with complete files and exit status 130."""
+"""Ctrl-C ends a run or a review early with complete files and exit status 130."""
 
 from __future__ import annotations
 
 import json
+import os
 import signal
 import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any, Tuple
 
+import pytest
+
+from rqt_mrta_py.app import results
+from rqt_mrta_py.app.cli.main import main
 from rqt_mrta_py.transport import read_bag_info
+from tests.app.outputs import Outputs
+
+COMPLETE = {"dashboard.png", "events.jsonl", "incidents.jsonl", "monitor", "run.log", "summary.json"}
+
+
+def names(folder: Path) -> Any:
+    return {path.name for path in folder.iterdir()}
 
 
 def test_an_interrupted_run_leaves_complete_files(tmp_path: Path) -> None:
@@ -21,11 +34,42 @@ def test_an_interrupted_run_leaves_complete_files(tmp_path: Path) -> None:
     while not third_picture.exists() and time.monotonic() < patience:
         time.sleep(0.05)
     process.send_signal(signal.SIGINT)
-    _, errors = process.communicate(timeout=60)
+    output, errors = process.communicate(timeout=60)
     assert process.returncode == 130
     assert errors == ""
+    assert ", interrupted\n" in output
     summary = json.loads((folder / "summary.json").read_text())
     information = read_bag_info(folder / "mission.bag")
     assert information.end_ns == round(summary["time"]["end"] * 1e9)
-    assert not (folder / "mission.bag.active").exists()
-    assert (folder / "dashboard.png").exists()
+    assert names(folder) == COMPLETE | {"mission.bag"}
+
+
+@pytest.mark.parametrize("verb", ["run", "review"])
+def test_an_interrupt_while_results_are_written_leaves_all_of_them(
+    verb: str, patrol: Outputs, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Ctrl-C once left neither log nor dashboard, and at times no summary, when it came after the last tick."""
+    write_picture = results.write_picture
+
+    def interrupted_write_picture(*arguments: Any) -> None:
+        os.kill(os.getpid(), signal.SIGINT)
+        write_picture(*arguments)
+
+    monkeypatch.setattr(results, "write_picture", interrupted_write_picture)
+    folder = tmp_path / "out"
+    what: Tuple[str, ...] = ("border_patrol", "--duration", "1") if verb == "run" else (str(patrol.bag),)
+    assert main([verb, *what, "--pictures", "100", "--out", str(folder)]) == 130
+    assert names(folder) == COMPLETE | ({"mission.bag"} if verb == "run" else set())
+
+
+def test_an_interrupt_before_anything_is_written_leaves_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted() -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("rqt_mrta_py.app.compose.registry_only", interrupted)
+    folder = tmp_path / "out"
+    assert main(["run", "border_patrol", "--out", str(folder)]) == 130
+    assert capsys.readouterr().err == ""
+    assert not folder.exists()

@@ -47,14 +47,14 @@ class OutputFolder:
         self.path = path
 
     @classmethod
-    def create(cls, explicit: Optional[Path], name: str, force: bool, base: Path) -> OutputFolder:
+    def create(cls, explicit: Optional[Path], name: str, force: bool) -> OutputFolder:
         """Choose and make the folder.
 
         Args:
-            explicit: what the user asked for; None to choose ``runs/<name>``, then ``-2``, ``-3``, ...
+            explicit: what the user asked for; None to choose ``runs/<name>``, then ``-2``, ``-3``, ... in the caller's
+                folder.
             name: of the run, any text.
             force: allow an explicit folder that is not empty.
-            base: where ``runs`` lies, the caller's folder.
 
         Raises:
             UsageError: the explicit folder is not empty and force is not given, or it is a file.
@@ -63,7 +63,7 @@ class OutputFolder:
         try:
             if explicit is not None:
                 return cls._explicit(explicit, force)
-            runs = base / "runs"
+            runs = Path.cwd() / "runs"
             runs.mkdir(exist_ok=True)
             number = 1
             while True:
@@ -75,7 +75,8 @@ class OutputFolder:
                     number += 1
         except OSError as error:
             raise OutputError(
-                f"{error.filename}: the folder for the outputs cannot be made: {error.strerror}"
+                f"{error.filename or 'runs'}: the folder for the outputs cannot be made: {error.strerror}; "
+                "give another one with --out"
             ) from error
 
     @classmethod

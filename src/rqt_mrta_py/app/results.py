@@ -6,9 +6,10 @@ import platform
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Dict, Tuple
+from typing import Any, Dict, Sequence, Tuple
 
 from rqt_mrta_py import __version__
+from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs import OutputFolder
 from rqt_mrta_py.app.versions import installed_versions
@@ -30,7 +31,7 @@ class MissionResult:
         summary: as written to ``summary.json``.
         mission_time: what passed on the stream's clock [s].
         wall_time: what passed on the wall [s].
-        interrupted: True if the user ended it early; the outputs are complete as far as it went.
+        interrupted: True if the user asked to end; the outputs are complete as far as it went.
     """
 
     folder: Path
@@ -48,9 +49,10 @@ class MissionResult:
         speed = self.mission_time / self.wall_time if self.wall_time > 0 else 0.0
         lines = [
             f"{record.application or 'mission'} under {record.architecture or 'unknown architecture'}: "
-            f"{self.mission_time:.1f} s in {self.wall_time:.1f} s ({speed:.1f} times real time)",
-            f"{len(record.robots)} robots, {len(record.tasks)} tasks ({ended} ended), "
-            f"{len(record.allocations)} allocations ({lost} lost), {len(record.incidents)} incidents",
+            f"{self.mission_time:.1f} s in {self.wall_time:.1f} s ({speed:.1f} times real time)"
+            f"{', interrupted' if self.interrupted else ''}",
+            f"{_counted(record.robots, 'robot')}, {_counted(record.tasks, 'task')} ({ended} ended), "
+            f"{_counted(record.allocations, 'allocation')} ({lost} lost), {_counted(record.incidents, 'incident')}",
         ]
         start = record.start or 0.0
         lines += [
@@ -86,6 +88,10 @@ def write_results(
     return record, summed_up
 
 
+def _counted(things: Sequence[object], name: str) -> str:
+    return f"{len(things)} {name}{'' if len(things) == 1 else 's'}"
+
+
 class Stopwatch:
     """Measures one execution on the wall clock; what it measures goes to ``run.log`` and the terminal only."""
 
@@ -94,7 +100,7 @@ class Stopwatch:
         self._began = time.monotonic()
 
     def result(
-        self, folder: OutputFolder, record: MissionRecord, summed_up: Dict[str, Any], interrupted: bool
+        self, folder: OutputFolder, record: MissionRecord, summed_up: Dict[str, Any], interrupt: Interrupt
     ) -> MissionResult:
         """Stop, write ``run.log`` and give the result.
 
@@ -102,7 +108,7 @@ class Stopwatch:
             folder: where the outputs are.
             record: everything known of the mission.
             summed_up: what ``summary.json`` says of it.
-            interrupted: True if the user ended it early.
+            interrupt: knows by now whether the user asked to end.
         """
         mission_time = (record.end or 0.0) - (record.start or 0.0)
         wall_time = time.monotonic() - self._began
@@ -116,4 +122,4 @@ class Stopwatch:
         ]
         lines += [f"{name} {version}" for name, version in installed_versions().items()]
         folder.write_text("run.log", "\n".join(lines) + "\n")
-        return MissionResult(folder.path, record, summed_up, mission_time, wall_time, interrupted)
+        return MissionResult(folder.path, record, summed_up, mission_time, wall_time, interrupt.requested)

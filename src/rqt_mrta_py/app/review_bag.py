@@ -71,9 +71,9 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
     start_ns = info.start_ns or 0
     length = ((info.end_ns or 0) - start_ns) / _NS
     observation = Observation(mission, codec, host.manager, duration or length)
-    folder = OutputFolder.create(request.out, f"{request.bag.stem}-review", request.force, Path.cwd())
-    pictures = _Pictures(host.renderer("monitor"), folder.folder("monitor"), period) if period > 0 else None
     with Interrupt() as interrupt:
+        folder = OutputFolder.create(request.out, f"{request.bag.stem}-review", request.force)
+        pictures = _Pictures(host.renderer("monitor"), folder.folder("monitor"), period) if period > 0 else None
         for stamped in read_bag(request.bag):
             if pictures is not None:
                 pictures.until(stamped.receipt_ns, observation)
@@ -83,8 +83,8 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
                 break
         if pictures is not None and info.end_ns is not None and not interrupt.requested:
             pictures.until(info.end_ns + 1, observation)
-    record, summary = write_results(folder, observation, host.manager, pictures=pictures is not None)
-    return watch.result(folder, record, summary, interrupt.requested)
+        record, summary = write_results(folder, observation, host.manager, pictures=pictures is not None)
+        return watch.result(folder, record, summary, interrupt)
 
 
 class _Pictures:

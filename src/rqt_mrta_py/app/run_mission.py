@@ -77,26 +77,20 @@ def run_mission(host: Host, request: RunRequest, progress: Progress) -> MissionR
     run = EmbeddedRun(mission, duration, codec, host.manager, observation)
     try:
         name = f"{mission.application.package}-seed{request.seed}"
-        folder = OutputFolder.create(request.out, name, request.force, Path.cwd())
-        pictures = _pictures(host, folder, period, scenario.control_rate)
-        with BagWriter(folder.path / "mission.bag", replace=request.force) as bag:
-            run.attach(bag.write, pictures)
-            interrupted = _steps(run, scenario.control_rate, duration, progress)
-        record, summary = write_results(folder, observation, host.manager, pictures=pictures is not None)
+        with Interrupt() as interrupt:
+            folder = OutputFolder.create(request.out, name, request.force)
+            pictures = _pictures(host, folder, period, scenario.control_rate)
+            with BagWriter(folder.path / "mission.bag", replace=request.force) as bag:
+                run.attach(bag.write, pictures)
+                for tick in range(run.last_tick + 1):
+                    run.step(tick)
+                    progress(tick / scenario.control_rate, duration)
+                    if interrupt.requested:
+                        break
+            record, summary = write_results(folder, observation, host.manager, pictures=pictures is not None)
+            return watch.result(folder, record, summary, interrupt)
     finally:
         run.close()
-    return watch.result(folder, record, summary, interrupted)
-
-
-def _steps(run: EmbeddedRun, rate: int, duration: float, progress: Progress) -> bool:
-    """Let the mission pass; True if the user ended it early."""
-    with Interrupt() as interrupt:
-        for tick in range(run.last_tick + 1):
-            run.step(tick)
-            progress(tick / rate, duration)
-            if interrupt.requested:
-                return True
-    return False
 
 
 def _pictures(host: Host, folder: OutputFolder, period: float, rate: int) -> Optional[PictureSchedule]:
@@ -115,7 +109,11 @@ def _mission(host: Host, request: RunRequest) -> Tuple[Mission, ScenarioSpec]:
         overrides=request.overrides,
         manager=host.manager,
     )
-    mission = in_world(first_robots(mission, request.robots), request.world)
+    worlds = host.manager.registered("mrta_register_worlds")
+    mission = in_world(first_robots(mission, request.robots), request.world, worlds)
     if mission.scenario is None:
-        raise UsageError(f"{mission.application.package}: has no scenario, so there is nothing to simulate")
+        raise UsageError(
+            f"{mission.application.package}: has no scenario, so there is nothing to simulate; "
+            'name one in its package.xml: <rqt_mrta_py scenario="${prefix}/scenario.yaml"/>'
+        )
     return mission, mission.scenario

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Optional, Sequence
+from typing import Collection, Optional, Sequence
 
 from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.model import Mission
@@ -58,8 +58,19 @@ def first_robots(mission: Mission, number: Optional[int]) -> Mission:
     return with_robots(mission, [robot.id for robot in robots[:number]])
 
 
-def in_world(mission: Mission, world: Optional[str]) -> Mission:
-    """Simulate a mission in another world than its scenario names; None leaves it."""
+def in_world(mission: Mission, world: Optional[str], worlds: Collection[str]) -> Mission:
+    """Simulate a mission in another world than its scenario names.
+
+    Args:
+        mission: the whole.
+        world: its name; None for the scenario's.
+        worlds: names of those that there are.
+
+    Raises:
+        UsageError: there is no such world.
+    """
     if world is None or mission.scenario is None:
         return mission
+    if world not in worlds:
+        raise UsageError(f"--world {world}: there is no such world; there are: {', '.join(sorted(worlds))}")
     return dataclasses.replace(mission, scenario=dataclasses.replace(mission.scenario, world=world))
