@@ -250,11 +250,78 @@ def test_what_is_not_a_bag_is_told_by_name(mrta: Mrta, tmp_path: Path, name: str
         ("fly", "border_patrol"),
         ("run", "border_patrol", "--seed", "-1"),
         ("run", "border_patrol", "--duration", "nan"),
+        ("run", "border_patrol", "--duration", "0"),
+        ("run", "border_patrol", "--duration", "1e300"),
+        ("run", "border_patrol", "--pictures", "inf"),
+        ("run", "border_patrol", "--robots", "0"),
         ("run", "border_patrol", "--robots", "6"),
         ("run", "border_patrol", "--world", "moon"),
+        ("run", "border_patrol", "--dur", "1"),
+        ("run", "border_patrol", "--fail-on", "fatal"),
+        ("show", "border_patrol", "mrta_alliance"),
+        ("list", "--type", "ST-SR"),
     ],
 )
-def test_wrong_usage_exits_with_2(mrta: Mrta, arguments: Tuple[str, ...]) -> None:
+def test_wrong_usage_exits_with_2_and_one_line(mrta: Mrta, tmp_path: Path, arguments: Tuple[str, ...]) -> None:
     status, lines = mrta(*arguments)
-    assert status in (2, 3)
-    assert lines != []
+    assert status == 2
+    assert len(lines) == 1
+    assert list((tmp_path / "here").iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (
+            ("run", "border_patrol", "--duration", "-1"),
+            "mrta run: argument --duration: '-1': a finite number above 0 is expected; see mrta run --help",
+        ),
+        (
+            ("run", "border_patrol", "--robots", "1.5"),
+            "mrta run: argument --robots: '1.5': a whole number from 1 is expected; see mrta run --help",
+        ),
+        (
+            ("review", "some.bag", "--colour"),
+            "mrta review: unrecognized arguments: --colour; see mrta review --help",
+        ),
+        (
+            ("run", "border_patrol", "--world", "moon"),
+            "mrta: --world moon: there is no such world; there are: bullet",
+        ),
+        (
+            ("run", "border_patrol", "--duration", "1e10"),
+            "mrta: a mission of 1e+10 s ends beyond ROS time, which has 2^32 s; make it shorter",
+        ),
+    ],
+)
+def test_wrong_usage_is_told_in_the_verbs_own_name(mrta: Mrta, arguments: Tuple[str, ...], told: str) -> None:
+    assert mrta(*arguments) == (2, [told])
+
+
+def test_a_kind_of_task_that_nobody_carries_out_is_told_with_all_kinds(mrta: Mrta, yard: Path) -> None:
+    edit(yard / "tasks.yaml", "kind: wander", "kind: stroll")
+    status, lines = mrta("run", "yard")
+    assert (status, lines) == (
+        3,
+        [
+            "mrta: robot1: task 'wander': no plugin provides a behaviour for its kind 'stroll'; "
+            "there are behaviours for: avoid, follow_border, go_to_place, report, wander"
+        ],
+    )
+
+
+def test_an_application_without_a_scenario_is_told_how_to_name_one(mrta: Mrta, yard: Path) -> None:
+    edit(yard / "package.xml", ' scenario="${prefix}/scenario.yaml"', "")
+    status, lines = mrta("run", "yard")
+    assert (status, len(lines)) == (2, 1)
+    assert lines[0].startswith("mrta: yard: has no scenario")
+    assert 'scenario="${prefix}/scenario.yaml"' in lines[0]
+
+
+def test_a_current_folder_that_is_gone_is_told(mrta: Mrta, tmp_path: Path) -> None:
+    (tmp_path / "here").rmdir()
+    status, lines = mrta("run", "border_patrol", "--duration", "1")
+    assert status == 3
+    assert lines == [
+        "mrta: runs: the folder for the outputs cannot be made: No such file or directory; give another one with --out"
+    ]

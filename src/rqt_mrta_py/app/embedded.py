@@ -24,6 +24,7 @@ STATE_PERIOD = 1
 """The team's state and its markers are published once in so many seconds [s]."""
 
 _NS = 1_000_000_000
+_END_OF_TIME_NS = 2**32 * _NS
 
 
 @dataclass(frozen=True)
@@ -70,7 +71,7 @@ class EmbeddedRun:
             observation: hears the stream.
 
         Raises:
-            UsageError: the mission says nothing of what is simulated, or no time passes.
+            UsageError: the mission says nothing of what is simulated, no time passes, or more than ROS can tell.
             SimError: the world cannot be built as the scenario wants it.
         """
         if mission.scenario is None or mission.seed is None:
@@ -86,6 +87,8 @@ class EmbeddedRun:
             raise UsageError(
                 f"a mission of {duration:g} s has no tick at {self._scenario.control_rate} Hz; make it longer"
             )
+        if self.clock.stamp_ns(self.last_tick) >= _END_OF_TIME_NS:
+            raise UsageError(f"a mission of {duration:g} s ends beyond ROS time, which has 2^32 s; make it shorter")
         seed = mission.seed
         self._simulation = Simulation(
             scenario=self._scenario,

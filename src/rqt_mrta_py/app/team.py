@@ -85,8 +85,15 @@ def _host(mission: Mission, seed: int, robot_id: str, scenario: ScenarioSpec, ma
         evaluators=manager.registered("mrta_register_sensory_evaluators"),
     )
     factories: Dict[str, BehaviourFactory] = manager.registered("mrta_register_behaviours")
+    for task in tasks:
+        if task.kind not in factories:
+            known = ", ".join(sorted(factories)) or "none"
+            raise RobotError(
+                f"{robot_id}: task {task.id!r}: no plugin provides a behaviour for its kind {task.kind!r}; "
+                f"there are behaviours for: {known}"
+            )
     behaviours = {}
-    for kind in sorted({task.kind for task in tasks} & set(factories)):
+    for kind in sorted({task.kind for task in tasks}):
         behaviours[kind] = _made(f"{robot_id}: behaviour {kind!r}", factories[kind], behaviour_setup)
     package = mission.architecture.package
     agent = _made(f"{robot_id}: agent of {package}", _agent_factory(package, manager), agent_setup)

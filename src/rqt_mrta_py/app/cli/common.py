@@ -10,6 +10,8 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Sequence
 
+from rqt_mrta_py.app.cli.stdout import standard_output
+
 if TYPE_CHECKING:
     from rqt_mrta_py.app.results import MissionResult
 
@@ -27,21 +29,27 @@ __all__ = [
 
 def positive(text: str) -> float:
     """Read a finite number above 0."""
-    number = not_negative(text)
-    if number == 0:
-        raise argparse.ArgumentTypeError(f"{text!r}: a number above 0 is expected")
+    number = _finite(text)
+    if not number > 0:
+        raise argparse.ArgumentTypeError(f"{text!r}: a finite number above 0 is expected")
     return number
 
 
 def not_negative(text: str) -> float:
     """Read a finite number of at least 0."""
+    number = _finite(text)
+    if not number >= 0:
+        raise argparse.ArgumentTypeError(f"{text!r}: a finite number of at least 0 is expected")
+    return number
+
+
+def _finite(text: str) -> float:
+    """Read a number; NaN for whatever is no finite one."""
     try:
         number = float(text)
     except ValueError:
-        number = math.nan
-    if not (math.isfinite(number) and number >= 0):
-        raise argparse.ArgumentTypeError(f"{text!r}: a number of at least 0 is expected")
-    return number
+        return math.nan
+    return number if math.isfinite(number) else math.nan
 
 
 def add_output_arguments(parser: argparse.ArgumentParser) -> None:
@@ -94,10 +102,11 @@ def finish(result: MissionResult, options: argparse.Namespace, schema: str) -> i
     """
     from rqt_mrta_py.model import Severity
 
-    if options.json:
-        print_json(schema, {"folder": str(result.folder), "summary": result.summary})
-    else:
-        print(result.text())
+    with standard_output():
+        if options.json:
+            print_json(schema, {"folder": str(result.folder), "summary": result.summary})
+        else:
+            print(result.text())
     if result.interrupted:
         return 130
     if options.fail_on is not None:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from typing import Any, Dict, List
 
 from rqt_mrta_py.app.cli.common import complain_about, print_json, print_table
+from rqt_mrta_py.app.cli.stdout import standard_output
 
 __all__ = ["add_arguments", "main"]
 
@@ -36,9 +38,19 @@ def main(options: argparse.Namespace) -> int:
     complain_about(
         [*registry.problems, *(problem for found in listed.values() for entry in found for problem in entry.problems)]
     )
-    if options.json:
-        print_json("list", {kind: [_as_json(entry) for entry in found] for kind, found in listed.items()})
-        return 0
+    if not registry.registrations:
+        print(
+            "mrta: no package registers anything; put the folder of those that do on ROS_PACKAGE_PATH", file=sys.stderr
+        )
+    with standard_output():
+        if options.json:
+            print_json("list", {kind: [_as_json(entry) for entry in found] for kind, found in listed.items()})
+        else:
+            _print(listed)
+    return 0
+
+
+def _print(listed: Dict[str, List[Any]]) -> None:
     rows = [
         (
             kind[:-1],
@@ -51,7 +63,6 @@ def main(options: argparse.Namespace) -> int:
         for entry in found
     ]
     print_table(("KIND", "NAME", "TYPE", "ABOUT", "FOLDER"), rows)
-    return 0
 
 
 def _about(entry: Any) -> str:

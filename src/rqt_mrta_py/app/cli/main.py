@@ -5,12 +5,13 @@ from __future__ import annotations
 import argparse
 import importlib
 import logging
-import os
 import sys
 import traceback
 from typing import List, Optional, Sequence
 
 from rqt_mrta_py import __version__
+from rqt_mrta_py.app.cli.parser import CommandParser, VerbParser
+from rqt_mrta_py.app.cli.stdout import mute
 from rqt_mrta_py.errors import MrtaError
 
 __all__ = ["main"]
@@ -30,25 +31,26 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     Returns:
         The exit status.
     """
-    arguments = without_remappings(sys.argv[1:] if argv is None else argv)
-    options = _parser().parse_args(arguments)
-    level = logging.WARNING + 10 * options.quiet - 10 * options.verbose
-    logging.basicConfig(
-        level=max(level, logging.DEBUG), format="%(levelname)s %(name)s: %(message)s", stream=sys.stderr
-    )
+    verbose = 0
     try:
+        options = _parser().parse_args(without_remappings(sys.argv[1:] if argv is None else argv))
+        verbose = options.verbose
+        level = logging.WARNING + 10 * options.quiet - 10 * verbose
+        logging.basicConfig(
+            level=max(level, logging.DEBUG), format="%(levelname)s %(name)s: %(message)s", stream=sys.stderr
+        )
         return int(options.main(options))
     except MrtaError as error:
-        _complain(str(error), options.verbose)
+        _complain(str(error), verbose)
         return error.exit_code
     except KeyboardInterrupt:
         return 130
     except BrokenPipeError:
-        # Whoever read stdout has gone; keep the interpreter from complaining about it at exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        # Whoever read the help page has gone.
+        mute()
         return 0
     except Exception as error:  # noqa: BLE001 - the last border: a defect of ours is told in one line too
-        _complain(f"internal error: {type(error).__name__}: {error}; -vv shows where", options.verbose)
+        _complain(f"internal error: {type(error).__name__}: {error}; -vv shows where", verbose)
         return 70
 
 
@@ -65,12 +67,12 @@ def _complain(message: str, verbose: int) -> None:
 
 
 def _parser() -> argparse.ArgumentParser:
-    common = argparse.ArgumentParser(add_help=False)
+    common = VerbParser(add_help=False)
     common.add_argument("-v", "--verbose", action="count", default=0, help="say more on stderr; -vv with tracebacks")
     common.add_argument("-q", "--quiet", action="count", default=0, help="say less on stderr")
-    parser = argparse.ArgumentParser(prog="mrta", description=_DESCRIPTION, epilog=_EPILOG)
+    parser = CommandParser(prog="mrta", description=_DESCRIPTION, epilog=_EPILOG)
     parser.add_argument("--version", action="version", version=f"rqt_mrta_py {__version__}")
-    verbs = parser.add_subparsers(title="verbs", metavar="VERB", dest="verb", required=True)
+    verbs = parser.add_subparsers(title="verbs", metavar="VERB", dest="verb", required=True, parser_class=VerbParser)
     for name in VERBS:
         module = importlib.import_module(f"rqt_mrta_py.app.cli.{name}")
         first_line = (module.__doc__ or "").splitlines()[0]

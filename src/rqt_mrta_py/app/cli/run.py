@@ -17,7 +17,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--architecture", metavar="A", help="how tasks are shared out (default: the application's own)")
     parser.add_argument("--seed", metavar="N", type=_seed, default=0, help="of every random generator (default: 0)")
     parser.add_argument("--duration", metavar="S", type=positive, help="mission seconds (default: the scenario's)")
-    parser.add_argument("--robots", metavar="N", type=int, help="only the first N of the application's robots")
+    parser.add_argument("--robots", metavar="N", type=_count, help="only the first N of the application's robots")
     parser.add_argument("--world", metavar="W", help="where to simulate (default: the scenario's)")
     parser.add_argument(
         "--set",
@@ -55,10 +55,22 @@ def main(options: argparse.Namespace) -> int:
 
 
 def _seed(text: str) -> int:
-    try:
-        seed = int(text)
-    except ValueError:
-        seed = -1
+    seed = _whole(text)
     if not 0 <= seed < 2**63:
         raise argparse.ArgumentTypeError(f"{text!r}: a whole number from 0 to 2^63 - 1 is expected")
     return seed
+
+
+def _count(text: str) -> int:
+    count = _whole(text)
+    if count < 1:
+        raise argparse.ArgumentTypeError(f"{text!r}: a whole number from 1 is expected")
+    return count
+
+
+def _whole(text: str) -> int:
+    """Read a whole number; -1 for whatever is none."""
+    try:
+        return int(text)
+    except ValueError:
+        return -1

@@ -6,6 +6,7 @@ import argparse
 from typing import Any, Dict, List
 
 from rqt_mrta_py.app.cli.common import complain_about, print_json, print_table
+from rqt_mrta_py.app.cli.stdout import standard_output
 
 __all__ = ["add_arguments", "main"]
 
@@ -24,11 +25,12 @@ def main(options: argparse.Namespace) -> int:
     registry = registry_only()
     complain_about(registry.problems)
     found = described(registry, options.name)
-    if options.json:
-        print_json("show", {"name": options.name, "registered": found})
-        return 0
-    for description in found:
-        _print(description)
+    with standard_output():
+        if options.json:
+            print_json("show", {"name": options.name, "registered": found})
+        else:
+            for description in found:
+                _print(description)
     return 0
 
 
