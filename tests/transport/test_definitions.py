@@ -180,3 +180,14 @@ def test_parse_definition_either_understands_or_raises_transport_error(lines: Li
         return
     assert len(definition.md5) == 32
     assert parse_definition("pkg/Msg", definition.full_text).md5 == definition.md5
+
+
+@pytest.mark.parametrize(
+    "error", [PermissionError(13, "Permission denied"), UnicodeDecodeError("utf-8", b"\xe4", 0, 1, "odd")]
+)
+def test_a_definition_that_cannot_be_read_is_an_error_that_names_the_type(error: Exception) -> None:
+    def unreadable(name: str) -> str:
+        raise error
+
+    with pytest.raises(TransportError, match="message type 'p/A': its definition cannot be read: "):
+        TypeLibrary(unreadable).definition("p/A")

@@ -22,7 +22,8 @@ class TypeLibrary:
     """Finds definitions of message types and keeps them.
 
     Args:
-        lookup: from ``pkg/Msg`` to the text of its ``.msg`` file; None where there is none.
+        lookup: from ``pkg/Msg`` to the text of its ``.msg`` file; None where there is none. May raise OSError, or
+            ValueError where the file is no text.
     """
 
     def __init__(self, lookup: Callable[[str], Optional[str]]) -> None:
@@ -37,7 +38,7 @@ class TypeLibrary:
             type_name: ``pkg/Msg``.
 
         Raises:
-            TransportError: the type, or one that it contains, is not known or its text cannot be understood.
+            TransportError: the type, or one that it contains, is not known or its text cannot be read or understood.
         """
         found = self._definitions.get(type_name)
         if found is None:
@@ -55,7 +56,10 @@ class TypeLibrary:
         standard = noetic_definition(name)
         if standard is not None:
             return parse_definition(name, standard).root
-        text = self._lookup(name)
+        try:
+            text = self._lookup(name)
+        except (OSError, ValueError) as error:
+            raise TransportError(f"message type {name!r}: its definition cannot be read: {error}") from error
         if text is None:
             package, _, message = name.partition("/")
             raise TransportError(
