@@ -49,6 +49,15 @@ def names(registry: Registry, kind: RegistrationKind = RegistrationKind.APPLICAT
     return [registration.package for registration in registry.of_kind(kind)]
 
 
+def test_discovery_reads_a_manifest_whose_encoding_hides_that_it_mentions_us(
+    tmp_path: Path, package: Callable[..., Path]
+) -> None:
+    manifest = package("ros/wide", application=True) / "package.xml"
+    manifest.write_bytes(manifest.read_text(encoding="utf-8").encode("utf-16"))
+
+    assert names(search([tmp_path / "ros"])) == ["wide"]
+
+
 def test_discovery_searches_in_the_documented_order_and_the_first_name_wins(
     tmp_path: Path, package: Callable[..., Path]
 ) -> None:

@@ -107,6 +107,8 @@ def test_manifest_lists_several_tags_and_attributes_in_file_order(manifest: Call
         (RegistrationKind.PLUGIN, "p.more"),
     ]
     assert [entry.line for entry in found.registrations] == [5, 5, 5, 6, 7]
+    assert messages(found) == []
+    assert found.registrations[3].file == found.folder / "deep" / "c.xml"
 
 
 def test_manifest_joins_tasks_and_scenario_with_the_application_of_another_tag(

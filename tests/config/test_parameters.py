@@ -157,6 +157,12 @@ def test_parameters_may_leave_tasks_out_where_the_application_names_none() -> No
     assert complaints(SENSORS, layer) == ["p.yaml:1: robot1/sets/size: is 1, which leaves no element for dig; give 2"]
 
 
+def test_parameters_of_an_element_beyond_the_size_claim_no_task() -> None:
+    assert complaints(SENSORS, yaml_layer("sets: {size: 2, set5: {task_id: dig}}", "p.yaml")) == [
+        "p.yaml:1: robot1/sets/set5/task_id: is of element 5, but size is 2; elements count from 0"
+    ]
+
+
 def test_parameters_name_the_element_for_which_no_task_is_left() -> None:
     assert complaints(SENSORS, yaml_layer("sets: {size: 3}", "p.yaml")) == [
         "a.xml:13: robot1/sets/set2/task_id: stands for a task (@task_id@), but no task is left for it; "

@@ -159,12 +159,15 @@ class _Search:
 
 
 def _skim(path: Path) -> Manifest:
-    """Read a manifest; one that does not mention us is not parsed, for its name is all that matters then."""
+    """Read a manifest; one that does not mention us is not parsed, for its name is all that matters then.
+
+    Where the encoding hides a mention, it hides the name too, and the manifest is parsed.
+    """
     try:
         raw = path.read_bytes()
     except OSError as error:
         raise ConfigError([Problem(str(path), 0, "", f"cannot be read: {error.strerror or error}")]) from error
-    if _MENTION not in raw and b"\0" not in raw:
+    if _MENTION not in raw:
         name = _NAME.search(_COMMENT.sub(b"", raw))
         if name is not None:
             return Manifest(name.group(1).decode("ascii"), path.parent)
