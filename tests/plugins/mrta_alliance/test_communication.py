@@ -48,6 +48,13 @@ def test_communication_counts_a_message_delivered_late_and_out_of_order() -> Non
     assert [list(other.times) for other in heard.about("patrol")] == [[5.0, 5.0]]
 
 
+def test_communication_keeps_the_newest_announcement_however_old_it_is() -> None:
+    """Taken in at 30.0 only, beyond the horizon of 10 s: the robot itself had stopped meanwhile."""
+    heard = memory()
+    heard.take_in([announced("two", "patrol", time) for time in (5.0, 6.0, 7.0)], 30.0)
+    assert [list(other.times) for other in heard.about("patrol")] == [[5.0, 7.0]]
+
+
 def test_communication_never_hears_before_it_is_told() -> None:
     """A receipt ahead of the cycle's time would lie outside every window that ends now."""
     heard = memory()
