@@ -13,7 +13,7 @@ import pytest
 from rqt_mrta_py.hooks import CurveGroup, CurvePanel, MonitorView
 from rqt_mrta_py.model import Pose, RobotState
 from rqt_mrta_py.render import draw_dashboard
-from rqt_mrta_py.render.palette import STATE_COLOURS, Colour, TaskColours
+from rqt_mrta_py.render.palette import MUTED, STATE_COLOURS, Colour, TaskColours
 from rqt_mrta_py.render.spells import spells
 from tests.render import views
 
@@ -72,6 +72,14 @@ def test_dashboard_gives_bars_the_tasks_colours_and_robots_their_states(drawn: n
     assert has(drawn, at(3.0, 0, 36.0), STATE_COLOURS[RobotState.IDLE])
     assert has(drawn, at(40.0, 0, 36.0), STATE_COLOURS[RobotState.BUSY])
     assert has(drawn, at(150.0, 2, 36.0), STATE_COLOURS[RobotState.OFFLINE])
+
+
+def test_dashboard_says_so_where_no_place_is_known() -> None:
+    around = (slice(270, 306), slice(270, 420))
+    told, silent = (draw_dashboard(view)[around] for view in (views.empty(), whole()))
+    muted = np.array(MUTED[::-1])
+    assert (np.abs(told.astype(int) - muted).max(axis=2) <= 8).sum() > 100
+    assert (np.abs(silent.astype(int) - muted).max(axis=2) <= 8).sum() < 100
 
 
 def test_dashboard_reads_names_literally() -> None:

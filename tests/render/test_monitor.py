@@ -19,7 +19,7 @@ from rqt_mrta_py.model import Arena, Event, Incident, Obstacle, Pose, RobotState
 from rqt_mrta_py.render import draw_monitor
 from rqt_mrta_py.render.arena import draw_arena
 from rqt_mrta_py.render.canvas import Box, Canvas
-from rqt_mrta_py.render.curves import cells, share_out, value_labels
+from rqt_mrta_py.render.curves import cells, share_out, time_window, value_labels
 from rqt_mrta_py.render.floor import ArenaMap, extent
 from rqt_mrta_py.render.layout import ARENA, CURVES, HEADER, HEIGHT, SIDE, TEAM, TIMELINE, WIDTH, inside, rows
 from rqt_mrta_py.render.page import Page
@@ -112,6 +112,15 @@ def test_monitor_shows_each_robot_where_it_is() -> None:
         radius = max(robot.radius * place.scale, 6.5)
         ring = [(x + 0.7 * radius * math.cos(a), y + 0.7 * radius * math.sin(a)) for a in (0.0, 1.6, 3.1, 4.7)]
         assert sum(near(picture, *point, STATE_COLOURS[record.state], 0) for point in ring) >= 3
+
+
+@pytest.mark.parametrize(("now", "shown"), [(1.0, (1.0, 11.0)), (3.0, (1.0, 11.0)), (14.0, (4.0, 14.0))])
+def test_curves_show_ten_seconds_or_more_and_none_before_the_mission(now: float, shown: Tuple[float, float]) -> None:
+    """The first seconds of a mission were labelled -8, -6, -4 ..."""
+    view = replace(with_curve((max(now - 1.0, 1.0), now), (0.0, 1.0)), now=now)
+    axis = time_window(view, view.panels[0])
+    assert (axis.low, axis.high) == shown
+    assert axis.ticks(5)[0][0] >= views.START
 
 
 def test_map_is_to_scale_and_has_y_upwards() -> None:

@@ -40,6 +40,14 @@ def test_time_axis_changes_to_minutes_and_hours() -> None:
     assert TimeAxis(0.0, 86400.0, 0.0, 1.0).unit == "h"
 
 
+@pytest.mark.parametrize("days", [11, 30, 400])
+def test_time_axis_labels_are_round_in_the_unit_of_the_labels(days: int) -> None:
+    """Labels of missions of many days were round in seconds, so 2.77778 in hours, and ran into each other."""
+    axis = TimeAxis(0.0, days * 86400.0, 0.0, 1.0)
+    assert axis.unit == "h"
+    assert all(label.isdecimal() for _, label in axis.ticks(11))
+
+
 @given(st.floats(-1e4, 1e4), st.floats(1e-3, 1e6), st.integers(2, 15))
 def test_ticks_are_few_and_lie_in_the_range(low: float, span: float, most: int) -> None:
     found = ticks(low, low + span, most)

@@ -11,7 +11,7 @@ import numpy as np
 from rqt_mrta_py.hooks import RobotSight
 from rqt_mrta_py.model import Pose, RobotState
 from rqt_mrta_py.render.canvas import Box, Canvas, Point, label_size
-from rqt_mrta_py.render.floor import ArenaMap
+from rqt_mrta_py.render.floor import ArenaMap, without_places
 from rqt_mrta_py.render.labels import LabelPlacer
 from rqt_mrta_py.render.page import Page
 from rqt_mrta_py.render.palette import FAINT, INK, MUTED, TRAIL, WHITE, Colour, mix
@@ -49,7 +49,7 @@ def draw_arena(page: Page, place: ArenaMap) -> Tuple[Box, ...]:
 
     robots = {robot.id: at(robot.pose) for robot in view.scene.robots if robot.pose is not None}
     tasks = {task.id: at(task.place) for task in view.scene.tasks if task.place is not None}
-    if view.scene.arena is None and not robots and not tasks:
+    if without_places(view.scene):
         middle = Box(0, 0, place.box.width, place.box.height).centre
         canvas.text(middle[0], middle[1], "no poses heard", _NAME, MUTED, FAINT, anchor=0.5)
     for robot in view.scene.robots:

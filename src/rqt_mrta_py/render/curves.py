@@ -18,7 +18,7 @@ from rqt_mrta_py.render.times import Axis, TimeAxis, number
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["cells", "curve_titles", "curves_boxes", "draw_curves", "share_out", "value_labels"]
+__all__ = ["cells", "curve_titles", "curves_boxes", "draw_curves", "share_out", "time_window", "value_labels"]
 
 _MOST_PANELS = 2
 _MOST_GROUPS = 12
@@ -97,6 +97,22 @@ def value_labels(curves: CurvePanel) -> Tuple[float, ...]:
     return 0.0, reference if reference is not None and 0.8 * curves.top <= reference <= curves.top else curves.top
 
 
+def time_window(view: MonitorView, curves: CurvePanel) -> TimeAxis:
+    """Give the times that curves are drawn over: from their first point on, ten seconds or more, none before the start.
+
+    Args:
+        view: the moment and the mission's start.
+        curves: the panel.
+
+    Returns:
+        An axis from 0 to 1.
+    """
+    zero = view.now if view.record.start is None else view.record.start
+    first = min((curve.times[0] for group in curves.groups for curve in group.curves if curve.times), default=view.now)
+    low = max(min(first, view.now - _SHORTEST), zero)
+    return TimeAxis(low, max(view.now, low + _SHORTEST), 0.0, 1.0, zero)
+
+
 def draw_curves(page: Page) -> None:
     """Draw the panels side by side, each a grid of small charts.
 
@@ -121,7 +137,7 @@ def _draw_panel(page: Page, box: Box, curves: CurvePanel) -> None:
         canvas.text(box.left + 12, room.top + 14, "nothing heard yet", PLAIN, MUTED, WHITE)
         return
     columns, lines = cells(room, len(groups))
-    axis = _window(page.view, curves)
+    axis = time_window(page.view, curves)
     width, height = room.width / columns, room.height / lines
     for index, group in enumerate(groups):
         column, line = index % columns, index // columns
@@ -186,13 +202,6 @@ def _draw_group(page: Page, box: Box, group: CurveGroup, curves: CurvePanel, axi
         inner.broken_line(_points(curve, across, up), page.colours[curve.label], width)
     if curves.reference is not None:
         inner.dashes(0.0, box.width, up(curves.reference), RED)
-
-
-def _window(view: MonitorView, curves: CurvePanel) -> TimeAxis:
-    first = [curve.times[0] for group in curves.groups for curve in group.curves if curve.times]
-    zero = view.now if view.record.start is None else view.record.start
-    start = min(first, default=view.now)
-    return TimeAxis(min(start, view.now - _SHORTEST), view.now, 0.0, 1.0, zero)
 
 
 def _across(axis: TimeAxis, box: Box) -> TimeAxis:

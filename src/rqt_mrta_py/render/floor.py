@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-__all__ = ["ArenaMap", "draw_floor", "extent"]
+__all__ = ["ArenaMap", "draw_floor", "extent", "without_places"]
 
 _UNKNOWN = Arena(-2.0, -2.0, 2.0, 2.0, 0.0)
 _SNAP = 2.0
@@ -70,6 +70,16 @@ def extent(scene: SceneView) -> Arena:
         return _UNKNOWN
     (min_x, max_x), (min_y, max_y) = (_snapped([point[axis] for point in points]) for axis in (0, 1))
     return Arena(min_x, min_y, max_x, max_y, 0.0)
+
+
+def without_places(scene: SceneView) -> bool:
+    """Tell whether nothing is known of where anything is.
+
+    Args:
+        scene: what there is.
+    """
+    seen = [robot.pose for robot in scene.robots] + [task.place for task in scene.tasks]
+    return scene.arena is None and all(place is None for place in seen)
 
 
 def draw_floor(canvas: Canvas, place: ArenaMap, obstacles: Sequence[Obstacle]) -> None:

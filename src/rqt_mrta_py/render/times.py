@@ -53,9 +53,10 @@ class TimeAxis(Axis):
         Returns:
             (time on the stream's clock [s], label in ``unit``) each, in order.
         """
-        span = self.high - self.low
-        step = next((s for s in _TIME_STEPS if span / s <= most - 1), None) or _round_step(span / (most - 1))
-        scale = self._scale
+        span, scale = self.high - self.low, self._scale
+        step = next((s for s in _TIME_STEPS if span / s <= most - 1), None)
+        if step is None:
+            step = scale * _round_step(span / (most - 1) / scale)
         first = math.ceil((self.low - self.zero) / step - 1e-9)
         last = math.floor((self.high - self.zero) / step + 1e-9)
         return tuple((self.zero + k * step, number(k * step / scale)) for k in range(first, last + 1))

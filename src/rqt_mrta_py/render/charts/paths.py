@@ -8,8 +8,8 @@ from typing import Any, List, Tuple
 from rqt_mrta_py.hooks import RobotSight
 from rqt_mrta_py.model import Arena, Obstacle, RobotState
 from rqt_mrta_py.render.canvas import Box, label_size
-from rqt_mrta_py.render.charts.sheet import Sheet, plain, rgb
-from rqt_mrta_py.render.floor import extent
+from rqt_mrta_py.render.charts.sheet import Sheet, plain, rgb, write
+from rqt_mrta_py.render.floor import extent, without_places
 from rqt_mrta_py.render.labels import LabelPlacer
 from rqt_mrta_py.render.libraries import matplotlib
 from rqt_mrta_py.render.palette import FRAME, GRID, INK, MUTED, OBSTACLE, STATE_COLOURS, TRAIL, WHITE, Colour, mix
@@ -32,6 +32,9 @@ def draw_paths(sheet: Sheet, box: Box) -> None:
     """
     floor = extent(sheet.view.scene)
     axes = _floor(sheet, box.inset(52, 4, 4, 44), floor)
+    if without_places(sheet.view.scene):
+        middle = (floor.min_x + floor.max_x) / 2.0, (floor.min_y + floor.max_y) / 2.0
+        write(axes, *middle, "no poses heard", _NAME, color=rgb(MUTED), ha="center")
     for obstacle in sheet.view.scene.obstacles:
         _obstacle(axes, obstacle)
     for robot in sheet.view.scene.robots:
