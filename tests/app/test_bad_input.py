@@ -243,6 +243,17 @@ def test_what_is_not_a_bag_is_told_by_name(mrta: Mrta, tmp_path: Path, name: str
     assert list((tmp_path / "here").iterdir()) == []
 
 
+def test_a_bag_that_the_architecture_does_not_speak_of_is_told(
+    mrta: Mrta, shared_data: Callable[[str], Path], tmp_path: Path
+) -> None:
+    """Such a review passed --fail-on without a word."""
+    bag = shared_data("talmech_two_bidders.bag")
+    arguments = ("--architecture", "mrta_alliance", "--pictures", "0", "--fail-on", "info", "--out")
+    status, lines = mrta("review", str(bag), *arguments, str(tmp_path / "review"))
+    assert status == 0
+    assert lines == [f"mrta: {bag}: no robot was heard as mrta_alliance tells it; is the bag another architecture's?"]
+
+
 @pytest.mark.parametrize(
     "arguments",
     [

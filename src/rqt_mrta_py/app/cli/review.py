@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from pathlib import Path
 
 from rqt_mrta_py.app.cli.common import ProgressLine, add_output_arguments, complain_about, finish
@@ -37,4 +38,10 @@ def main(options: argparse.Namespace) -> int:
     )
     with ProgressLine(options.bag.name, options.quiet) as progress:
         result = review_bag(host, request, progress)
+    if all(robot.last_heard is None for robot in result.record.robots):
+        reader = result.record.architecture or "the architecture"
+        print(
+            f"mrta: {options.bag}: no robot was heard as {reader} tells it; is the bag another architecture's?",
+            file=sys.stderr,
+        )
     return finish(result, options, "review")
