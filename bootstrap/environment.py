@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 import sys
 from pathlib import Path
-from typing import List, Optional
+from typing import List
 
 from bootstrap import debian, shell
 
@@ -88,22 +88,16 @@ def _is_sound(checkout: Path) -> bool:
 
 
 def _maker() -> List[str]:
-    maker = _maker_at_hand()
-    if maker is None and debian.apt_allowed() and shutil.which("apt-get"):
+    if not _imports("ensurepip, venv") and debian.apt_allowed() and shutil.which("apt-get"):
         debian.install(["python3-venv"])
-        maker = _maker_at_hand()
-    if maker is None:
-        raise shell.SetupError(
-            f"{sys.executable} has neither ensurepip nor virtualenv; install the package python3-venv"
-        )
-    return maker
-
-
-def _maker_at_hand() -> Optional[List[str]]:
-    if shell.run([sys.executable, "-I", "-c", "import ensurepip, venv"]).returncode == 0:
+    if _imports("ensurepip, venv"):
         return [sys.executable, "-m", "venv"]
-    if shell.run([sys.executable, "-I", "-c", "import virtualenv"]).returncode == 0:
+    if _imports("virtualenv"):
         return [sys.executable, "-m", "virtualenv"]
     if shutil.which("virtualenv"):
         return ["virtualenv", "--python", sys.executable]
-    return None
+    raise shell.SetupError(f"{sys.executable} has neither ensurepip nor virtualenv; install the package python3-venv")
+
+
+def _imports(modules: str) -> bool:
+    return shell.run([sys.executable, "-I", "-c", f"import {modules}"]).returncode == 0

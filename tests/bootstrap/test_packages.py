@@ -6,7 +6,7 @@ import re
 import subprocess
 import sys
 from pathlib import Path
-from typing import List
+from typing import List, Sequence
 
 import pytest
 
@@ -128,6 +128,34 @@ def test_virtualenv_serves_where_ensurepip_is_missing(tmp_path: Path, monkeypatc
         environment.provide(tmp_path, remake=True)
     expected = f"-m virtualenv --system-site-packages --clear {tmp_path}/.venv\n"
     assert (tmp_path / "calls.txt").read_text(encoding="utf-8") == expected
+
+
+@pytest.mark.parametrize(("apt_works", "expected"), [(True, "-m venv"), (False, "-m virtualenv")])
+def test_without_ensurepip_apt_is_asked_before_virtualenv_serves(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, apt_works: bool, expected: str
+) -> None:
+    """virtualenv, where it was at hand, once kept python3-venv from being asked for."""
+    calls, ensurepip = tmp_path / "calls.txt", tmp_path / "ensurepip"
+    bare = program(
+        tmp_path / "bin",
+        "python3",
+        f'case "$*" in *"import ensurepip"*) [ -e "{ensurepip}" ]; exit;; *-I*) exit 0;; esac\n'
+        f'echo "$*" >>"{calls}"; exit 7',
+    )
+    program(tmp_path / "bin", "apt-get", "exit 0")
+
+    def install(asked: Sequence[str]) -> None:
+        assert asked == ["python3-venv"]
+        if apt_works:
+            ensurepip.touch()
+
+    monkeypatch.setattr(sys, "executable", str(bare))
+    monkeypatch.setattr(debian, "install", install)
+    monkeypatch.setenv("PATH", f"{tmp_path}/bin:/usr/bin:/bin")
+    monkeypatch.delenv("MRTA_NO_APT", raising=False)
+    with pytest.raises(shell.SetupError, match="virtual environment could not be made"):
+        environment.provide(tmp_path, remake=True)
+    assert calls.read_text(encoding="utf-8").startswith(f"{expected} --system-site-packages")
 
 
 def test_the_users_pip_and_python_settings_do_not_reach_the_set_up(monkeypatch: pytest.MonkeyPatch) -> None:
