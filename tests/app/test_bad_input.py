@@ -9,6 +9,7 @@ from typing import Callable, List, Optional, Tuple
 import pytest
 
 from rqt_mrta_py.app.cli.main import main
+from tests.app.outputs import Outputs
 
 Mrta = Callable[..., Tuple[int, List[str]]]
 
@@ -212,11 +213,27 @@ def test_force_replaces_the_outputs_of_an_earlier_run_and_nothing_else(mrta: Mrt
     (folder / "mission.bag").write_text("earlier")
     (folder / "monitor" / "000009.00.png").write_text("earlier")
     (folder / "notes.txt").write_text("mine")
+    (folder / "monitor" / "photograph.png").write_text("mine")
     status, _ = mrta("run", "border_patrol", "--duration", "1", "--out", str(folder), "--force")
     assert status == 0
     assert (folder / "mission.bag").read_bytes().startswith(b"#ROSBAG V2.0")
-    assert sorted(path.name for path in (folder / "monitor").iterdir()) == ["000000.00.png", "000001.00.png"]
+    pictures = ["000000.00.png", "000001.00.png", "photograph.png"]
+    assert sorted(path.name for path in (folder / "monitor").iterdir()) == pictures
     assert (folder / "notes.txt").read_text() == "mine"
+
+
+@pytest.mark.parametrize("verb", ["run", "review"])
+def test_force_leaves_no_picture_of_an_earlier_mission(mrta: Mrta, patrol: Outputs, tmp_path: Path, verb: str) -> None:
+    """Without pictures of its own a run once lay beside those of another."""
+    folder = tmp_path / "full"
+    (folder / "monitor").mkdir(parents=True)
+    (folder / "monitor" / "000009.00.png").write_text("earlier")
+    (folder / "dashboard.png").write_text("earlier")
+    what = ("border_patrol", "--duration", "1") if verb == "run" else (str(patrol.bag),)
+    status, _ = mrta(verb, *what, "--pictures", "0", "--out", str(folder), "--force")
+    assert status == 0
+    assert (folder / "summary.json").exists()
+    assert [name for name in ("monitor", "dashboard.png") if (folder / name).exists()] == []
 
 
 def test_the_folder_runs_counts_up_where_none_is_given(mrta: Mrta, tmp_path: Path) -> None:

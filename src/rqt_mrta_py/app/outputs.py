@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
 from pathlib import Path
 from typing import Any, Iterable, Mapping, Optional
 
 from rqt_mrta_py.errors import MrtaError, UsageError
 
 __all__ = ["OutputFolder", "safe_file_name", "write_whole"]
+
+
+_PICTURES = "[0-9]*.[0-9][0-9].png"
 
 
 class OutputError(MrtaError):
@@ -88,16 +90,30 @@ class OutputFolder:
         path.mkdir(parents=True, exist_ok=True)
         return cls(path)
 
-    def folder(self, name: str) -> Path:
-        """Make an empty folder inside; pictures of an earlier run in it go."""
-        path = self.path / name
+    def monitor(self, wanted: bool) -> Optional[Path]:
+        """Make the folder of the monitor pictures; those of an earlier run go, and nothing else does.
+
+        Args:
+            wanted: False if there will be no pictures; then an earlier run's folder and dashboard go too.
+
+        Returns:
+            The folder; None if it is not wanted.
+        """
+        path = self.path / "monitor"
         try:
-            if path.exists():
-                shutil.rmtree(str(path))
-            path.mkdir()
+            for picture in path.glob(_PICTURES):
+                picture.unlink()
+            if wanted:
+                path.mkdir(exist_ok=True)
+                return path
+            if path.is_dir() and not any(path.iterdir()):
+                path.rmdir()
+            dashboard = self.path / "dashboard.png"
+            if dashboard.exists():
+                dashboard.unlink()
         except OSError as error:
-            raise OutputError(f"{path}: cannot be made: {error.strerror}") from error
-        return path
+            raise OutputError(f"{error.filename}: cannot be replaced: {error.strerror}") from error
+        return None
 
     def write_json(self, name: str, value: Mapping[str, Any]) -> None:
         """Write one JSON document, keys in their given order."""

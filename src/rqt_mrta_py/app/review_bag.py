@@ -73,7 +73,8 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
     observation = Observation(mission, codec, host.manager, duration or length)
     with Interrupt() as interrupt:
         folder = OutputFolder.create(request.out, f"{request.bag.stem}-review", request.force)
-        pictures = _Pictures(host.renderer("monitor"), folder.folder("monitor"), period) if period > 0 else None
+        path = folder.monitor(wanted=period > 0)
+        pictures = None if path is None else _Pictures(host.renderer("monitor"), path, period)
         for stamped in read_bag(request.bag):
             if pictures is not None:
                 pictures.until(stamped.receipt_ns, observation)

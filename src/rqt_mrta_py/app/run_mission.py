@@ -95,9 +95,10 @@ def run_mission(host: Host, request: RunRequest, progress: Progress) -> MissionR
 
 def _pictures(host: Host, folder: OutputFolder, period: float, rate: int) -> Optional[PictureSchedule]:
     period_ticks = period_in_ticks(period, rate)
-    if period_ticks is None:
+    path = folder.monitor(wanted=period_ticks is not None)
+    if period_ticks is None or path is None:
         return None
-    return PictureSchedule(host.renderer("monitor"), folder.folder("monitor"), period_ticks, rate)
+    return PictureSchedule(host.renderer("monitor"), path, period_ticks, rate)
 
 
 def _mission(host: Host, request: RunRequest) -> Tuple[Mission, ScenarioSpec]:
