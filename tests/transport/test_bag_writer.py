@@ -66,6 +66,18 @@ def test_the_file_header_has_the_length_that_ros_gives_it(tmp_path: Path) -> Non
     assert raw[4117 + 4 : 4117 + 12] == struct.pack("<L", 4) + b"op=\x05"
 
 
+def test_a_chunk_is_closed_before_its_second_is_over_once_it_has_768_kib(tmp_path: Path) -> None:
+    codec = RosCodec(lookup)
+    connection = codec.connection("/big", "std_msgs/String")
+    raw = codec.encode("std_msgs/String", {"data": " " * 300_000})
+    with BagWriter(tmp_path / "m.bag", Compression.NONE) as writer:
+        for number in range(7):
+            writer.write(Stamped(connection, SECOND + number, raw))
+    # Three messages are more than 768 KiB, two are less.
+    assert (tmp_path / "m.bag").read_bytes().count(struct.pack("<L", 4) + b"op=\x05") == 3
+    assert read_bag_info(tmp_path / "m.bag").messages == 7
+
+
 def test_a_bag_is_active_until_it_is_closed(tmp_path: Path) -> None:
     writer = BagWriter(tmp_path / "m.bag")
     assert names(tmp_path) == ["m.bag.active"]
