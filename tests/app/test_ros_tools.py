@@ -9,7 +9,7 @@ import socket
 import subprocess
 import sys
 from pathlib import Path
-from typing import Dict, Iterator
+from typing import Dict, Iterator, Tuple
 
 import pytest
 
@@ -158,23 +158,23 @@ FOREIGN_ARCHITECTURE = """<package format="2">
 
 
 @pytest.mark.parametrize(
-    ("host", "attribute", "found"),
+    ("arguments", "found"),
     [
-        ("rqt_mrta_py", "architecture", "mrta_alliance"),
-        ("rqt_mrta_py", "application", "border_patrol"),
-        ("rqt_mrta_py", "plugin", "basic_behaviours"),
-        ("rqt_mrta", "architecture", "foreign"),
+        (("--attrib=architecture", "rqt_mrta_py"), "mrta_alliance"),
+        (("--attrib=application", "rqt_mrta_py"), "border_patrol"),
+        (("--attrib=plugin", "rqt_mrta_py"), "basic_behaviours"),
+        (("--attrib=architecture", "rqt_mrta"), "foreign"),
     ],
 )
 def test_rospack_lists_what_is_registered(
-    ros_environment: Dict[str, str], root: Path, tmp_path: Path, host: str, attribute: str, found: str
+    ros_environment: Dict[str, str], root: Path, tmp_path: Path, arguments: Tuple[str, str], found: str
 ) -> None:
     """Foreign packages register with rqt_mrta, which a stub stands in for where it is not installed."""
     package = tmp_path / "foreign"
     package.mkdir()
     (package / "package.xml").write_text(FOREIGN_ARCHITECTURE)
     environment = {**ros_environment, "ROS_PACKAGE_PATH": f"{tmp_path}:{root}:{root / 'plugins'}"}
-    command = ["rospack", "plugins", f"--attrib={attribute}", host]
+    command = ["rospack", "plugins", *arguments]
     finished = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=60, check=False)
     assert finished.returncode == 0, finished.stderr
     assert found in [line.split()[0] for line in finished.stdout.splitlines()]
