@@ -353,3 +353,54 @@ def test_a_current_folder_that_is_gone_is_told(mrta: Mrta, tmp_path: Path) -> No
     assert lines == [
         "mrta: runs: the folder for the outputs cannot be made: No such file or directory; give another one with --out"
     ]
+
+
+PANEL = """
+from rqt_mrta_py.hooks import hookimpl
+
+
+class Panel:
+    def subscriptions(self):
+        return [{subscriptions}]
+
+    def hear(self, heard):
+        raise RuntimeError("no")
+
+    def view(self, start, end):
+        raise RuntimeError("no")
+
+
+@hookimpl
+def mrta_register_monitor_panels():
+    return {{"rqt_alliance/alliance_plugin": {factory}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("factory", "subscriptions"),
+    [
+        ("lambda setup: Panel()", ""),
+        ("lambda setup: Panel()", "nothing_of_this_name"),
+        ("lambda setup: Panel().view(0, 0)", ""),
+    ],
+    ids=["view", "subscriptions", "factory"],
+)
+def test_a_monitor_panel_that_raises_stops_the_run_by_name(
+    mrta: Mrta, stranger: Path, factory: str, subscriptions: str
+) -> None:
+    stranger.write_text(PANEL.format(factory=factory, subscriptions=subscriptions))
+    status, lines = mrta("run", "border_patrol", "--duration", "1")
+    assert status == 3
+    assert len(lines) == 1
+    assert "monitor panel rqt_alliance/alliance_plugin: " in lines[0]
+
+
+def test_a_renderer_that_raises_stops_the_run_by_name(mrta: Mrta, stranger: Path) -> None:
+    stranger.write_text(
+        "from rqt_mrta_py.hooks import hookimpl\n\n\n"
+        "def draw(view):\n    raise RuntimeError('no')\n\n\n"
+        "@hookimpl\ndef mrta_register_renderers():\n    return {'monitor': draw}\n"
+    )
+    status, lines = mrta("run", "border_patrol", "--duration", "1")
+    assert status == 3
+    assert lines == ["mrta: renderer monitor: RuntimeError: no"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import List, Mapping, Optional
 
+from rqt_mrta_py.app.guard import guarded_renderer
 from rqt_mrta_py.config import Registry, discover
 from rqt_mrta_py.errors import HookError, Problem
 from rqt_mrta_py.hooks import Codec, Renderer
@@ -42,7 +43,7 @@ class Host:
         renderers: Mapping[str, Renderer] = self.manager.registered("mrta_register_renderers")
         if name not in renderers:
             raise HookError(f"{name}: no plugin draws such a picture; there are: {', '.join(sorted(renderers))}")
-        return renderers[name]
+        return guarded_renderer(name, renderers[name])
 
     def _definition(self, type_name: str) -> Optional[str]:
         path = self.registry.message_file(type_name)

@@ -6,13 +6,16 @@ bag of a run gives what the run itself reported.
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Mapping, Optional, Sequence
+from typing import Dict, List, Mapping, Optional, Sequence
 
+from rqt_mrta_py.app.guard import GuardedPanel, guarded
 from rqt_mrta_py.hooks import (
+    AllocationInterpreter,
+    AllocationInterpreterFactory,
     Codec,
     InterpreterSetup,
     Listener,
-    MonitorPanel,
+    MonitorPanelFactory,
     MonitorView,
     Outgoing,
     PanelSetup,
@@ -116,15 +119,18 @@ class Observation:
         self._manager.notify("mrta_on_event", event=event)
 
 
-def _interpreter(mission: Mission, manager: PluginManager) -> Any:
-    factories: Dict[str, Any] = manager.registered("mrta_register_allocation_interpreters")
-    factory = factories.get(mission.architecture.package)
-    if factory is None:
+def _interpreter(mission: Mission, manager: PluginManager) -> Optional[AllocationInterpreter]:
+    factories: Dict[str, AllocationInterpreterFactory] = manager.registered("mrta_register_allocation_interpreters")
+    package = mission.architecture.package
+    if package not in factories:
         return None
     robots = tuple(robot.id for robot in mission.application.robots)
-    return factory(InterpreterSetup(robots, tuple(task.id for task in mission.tasks)))
+    setup = InterpreterSetup(robots, tuple(task.id for task in mission.tasks))
+    return guarded(f"allocation interpreter of {package}", factories[package], setup)
 
 
-def _panels(mission: Mission, manager: PluginManager) -> List[MonitorPanel]:
-    factories: Dict[str, Any] = manager.registered("mrta_register_monitor_panels")
-    return [factories[name](PanelSetup(mission)) for name in mission.architecture.widgets if name in factories]
+def _panels(mission: Mission, manager: PluginManager) -> List[GuardedPanel]:
+    factories: Dict[str, MonitorPanelFactory] = manager.registered("mrta_register_monitor_panels")
+    names = [name for name in mission.architecture.widgets if name in factories]
+    setup = PanelSetup(mission)
+    return [GuardedPanel(name, guarded(f"monitor panel {name}", factories[name], setup)) for name in names]

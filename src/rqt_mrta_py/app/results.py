@@ -6,14 +6,14 @@ import platform
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Dict, Sequence, Tuple
+from typing import Any, Dict, Optional, Sequence, Tuple
 
 from rqt_mrta_py import __version__
 from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs import OutputFolder
 from rqt_mrta_py.app.versions import installed_versions
-from rqt_mrta_py.hooks.manager import PluginManager
+from rqt_mrta_py.hooks import Renderer
 from rqt_mrta_py.model import MissionRecord, Outcome, TaskState
 from rqt_mrta_py.render import write_picture
 from rqt_mrta_py.supervisor import event_lines, incident_lines, summary
@@ -64,15 +64,14 @@ class MissionResult:
 
 
 def write_results(
-    folder: OutputFolder, observation: Observation, manager: PluginManager, pictures: bool
+    folder: OutputFolder, observation: Observation, dashboard: Optional[Renderer]
 ) -> Tuple[MissionRecord, Dict[str, Any]]:
     """Sum up a stream that has ended and write what is derived from it.
 
     Args:
         folder: where to.
         observation: has heard the whole stream.
-        manager: plugins, loaded.
-        pictures: draw the dashboard too.
+        dashboard: draws the mission in one picture; None for no pictures.
 
     Returns:
         Everything known of the mission, and what ``summary.json`` says of it.
@@ -82,9 +81,8 @@ def write_results(
     folder.write_json("summary.json", summed_up)
     folder.write_lines("events.jsonl", event_lines(record))
     folder.write_lines("incidents.jsonl", incident_lines(record))
-    if pictures and record.start is not None:
-        renderer = manager.registered("mrta_register_renderers")["dashboard"]
-        write_picture(folder.path / "dashboard.png", renderer(observation.dashboard_view(record)))
+    if dashboard is not None and record.start is not None:
+        write_picture(folder.path / "dashboard.png", dashboard(observation.dashboard_view(record)))
     return record, summed_up
 
 

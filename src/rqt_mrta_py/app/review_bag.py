@@ -84,7 +84,7 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
                 break
         if pictures is not None and info.end_ns is not None and not interrupt.requested:
             pictures.until(info.end_ns + 1, observation)
-        record, summary = write_results(folder, observation, host.manager, pictures=pictures is not None)
+        record, summary = write_results(folder, observation, host.renderer("dashboard") if pictures else None)
         return watch.result(folder, record, summary, interrupt)
 
 

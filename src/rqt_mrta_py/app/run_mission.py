@@ -87,7 +87,7 @@ def run_mission(host: Host, request: RunRequest, progress: Progress) -> MissionR
                     progress(tick / scenario.control_rate, duration)
                     if interrupt.requested:
                         break
-            record, summary = write_results(folder, observation, host.manager, pictures=pictures is not None)
+            record, summary = write_results(folder, observation, host.renderer("dashboard") if pictures else None)
             return watch.result(folder, record, summary, interrupt)
     finally:
         run.close()

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable, Dict, List, Mapping, TypeVar
+from typing import Dict, List, Mapping
 
 from rqt_mrta_py.app.chance import Purpose, generator
+from rqt_mrta_py.app.guard import guarded
 from rqt_mrta_py.errors import RobotError, UsageError
 from rqt_mrta_py.hooks import AgentFactory, AgentSetup, BehaviourFactory, BehaviourSetup, RobotModel
 from rqt_mrta_py.hooks.manager import PluginManager
@@ -15,9 +16,6 @@ from rqt_mrta_py.sim import Simulation
 from rqt_mrta_py.transport import Bus, Node
 
 __all__ = ["Member", "build_team"]
-
-_Setup = TypeVar("_Setup")
-_Made = TypeVar("_Made")
 
 
 @dataclass(frozen=True)
@@ -52,7 +50,8 @@ def build_team(mission: Mission, seed: int, simulation: Simulation, bus: Bus, ma
 
     Raises:
         UsageError: nobody provides agents for the mission's architecture.
-        RobotError: a robot cannot carry out a task it is given, or its agent or a behaviour cannot be made.
+        RobotError: a robot cannot carry out a task it is given.
+        HookError: an agent or a behaviour cannot be made.
     """
     team = []
     for robot in mission.application.robots:
@@ -94,9 +93,9 @@ def _host(mission: Mission, seed: int, robot_id: str, scenario: ScenarioSpec, ma
             )
     behaviours = {}
     for kind in sorted({task.kind for task in tasks}):
-        behaviours[kind] = _made(f"{robot_id}: behaviour {kind!r}", factories[kind], behaviour_setup)
+        behaviours[kind] = guarded(f"{robot_id}: behaviour {kind!r}", factories[kind], behaviour_setup)
     package = mission.architecture.package
-    agent = _made(f"{robot_id}: agent of {package}", _agent_factory(package, manager), agent_setup)
+    agent = guarded(f"{robot_id}: agent of {package}", _agent_factory(package, manager), agent_setup)
     return RobotHost(HostSetup(robot_id, agent, behaviours, tasks, scenario.control_rate))
 
 
@@ -111,11 +110,3 @@ def _agent_factory(package: str, manager: PluginManager) -> AgentFactory:
         known = ", ".join(sorted(factories)) or "none"
         raise UsageError(f"{package}: no plugin provides agents for this architecture; there are agents for: {known}")
     return factories[package]
-
-
-def _made(what: str, factory: Callable[[_Setup], _Made], setup: _Setup) -> _Made:
-    """Call a plugin's factory; whatever it raises is told with what was to be made."""
-    try:
-        return factory(setup)
-    except Exception as error:
-        raise RobotError(f"{what} cannot be made: {type(error).__name__}: {error}") from error

@@ -167,7 +167,7 @@ class RobotHost:
         audiences: Dict[Subscription, Audience] = {}
         for kind, behaviour in setup.behaviours.items():
             topics: Set[str] = set()
-            for subscription in behaviour.subscriptions():
+            for subscription in self._guard(f"behaviour {kind!r}", behaviour.subscriptions):
                 if subscription.topic in topics:
                     raise RobotError(
                         f"{setup.robot_id}: behaviour {kind!r} subscribes to {subscription.topic!r} twice; "
@@ -178,7 +178,8 @@ class RobotHost:
                 audience.add(self._views[kind])
         listeners.extend((wish, self._awake(audience.hear)) for wish, audience in audiences.items())
         listeners.append((PROGRESS, self._awake(self._hear_progress)))
-        listeners.extend((wish, self._awake(self._hear_for_agent)) for wish in setup.agent.subscriptions())
+        wishes = self._guard(f"agent {_name(setup.agent)}", setup.agent.subscriptions)
+        listeners.extend((wish, self._awake(self._hear_for_agent)) for wish in wishes)
         return tuple(listeners)
 
     def _awake(self, hear: _Callback) -> _Callback:
