@@ -209,14 +209,17 @@ def _check_registered(implementation: _Implementation, hook: str, name: object, 
 
 
 def load_plugins(source: Union[Registry, Iterable[Registration]], manager: PluginManager) -> Tuple[Problem, ...]:
-    """Import and register plugins, in order; one that fails is left out and the others go on.
+    """Import and register plugins, in order; one that cannot be imported is left out and the others go on.
 
     Args:
         source: what was discovered; registrations that are no plugins are passed over.
         manager: takes the plugins in, each under its module's name; one registered twice counts once.
 
     Returns:
-        What failed, one problem for each plugin. Whether one was needed is the caller's to know.
+        What could not be imported, one problem for each plugin. Whether one was needed is the caller's to know.
+
+    Raises:
+        HookError: a plugin does not keep the contract; a mistake of its author, told before anything is done.
     """
     registrations = source.registrations if isinstance(source, Registry) else source
     failures = []
@@ -224,10 +227,12 @@ def load_plugins(source: Union[Registry, Iterable[Registration]], manager: Plugi
         if registration.kind is not RegistrationKind.PLUGIN or registration.plugin in manager.names:
             continue
         try:
-            load_plugin(registration, manager)
+            plugin = _imported(registration)
         except HookError as error:
             _log.info("event=plugin_failed package=%s module=%s", registration.package, registration.plugin)
             failures.append(Problem(str(registration.manifest), registration.line, "", str(error)))
+        else:
+            manager.register(plugin, registration.plugin)
     return tuple(failures)
 
 
@@ -241,6 +246,10 @@ def load_plugin(registration: Registration, manager: PluginManager) -> None:
     Raises:
         HookError: the module cannot be imported, naming package, module and cause; or it does not keep the contract.
     """
+    manager.register(_imported(registration), registration.plugin)
+
+
+def _imported(registration: Registration) -> object:
     module_name, _, attribute = registration.plugin.partition(":")
     try:
         plugin: object = _import(module_name, registration)
@@ -251,7 +260,7 @@ def load_plugin(registration: Registration, manager: PluginManager) -> None:
             f"package {registration.package!r}: plugin {registration.plugin!r} cannot be imported: "
             f"{type(error).__name__}: {error}"
         ) from error
-    manager.register(plugin, registration.plugin)
+    return plugin
 
 
 def _import(module: str, registration: Registration) -> ModuleType:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import struct
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -130,7 +131,9 @@ def _opened(path: Path) -> Iterator[Any]:
 
 
 def _reason(error: BaseException) -> str:
-    return (str(error) or type(error).__name__).rstrip(".")
+    # rosbags wraps some of its own errors with their arguments, a tuple of one sentence.
+    plain = re.sub(r"\('([^']*)',\)", r"\1", str(error))
+    return (plain or type(error).__name__).rstrip(".")
 
 
 def _remedy(error: BaseException) -> str:

@@ -10,6 +10,7 @@ import traceback
 from typing import List, Optional, Sequence
 
 from rqt_mrta_py import __version__
+from rqt_mrta_py.app.cli.log_format import LogFormatter
 from rqt_mrta_py.app.cli.parser import CommandParser, VerbParser
 from rqt_mrta_py.app.cli.stdout import mute
 from rqt_mrta_py.errors import MrtaError
@@ -36,9 +37,9 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
         options = _parser().parse_args(without_remappings(sys.argv[1:] if argv is None else argv))
         verbose = options.verbose
         level = logging.WARNING + 10 * options.quiet - 10 * verbose
-        logging.basicConfig(
-            level=max(level, logging.DEBUG), format="%(levelname)s %(name)s: %(message)s", stream=sys.stderr
-        )
+        handler = logging.StreamHandler(sys.stderr)
+        handler.setFormatter(LogFormatter(tracebacks=verbose >= 2))
+        logging.basicConfig(level=max(level, logging.DEBUG), handlers=[handler])
         return int(options.main(options))
     except MrtaError as error:
         _complain(str(error), verbose)
