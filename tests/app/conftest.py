@@ -1,11 +1,15 @@
-"""One mission of border_patrol, run once and looked at by many tests."""
+"""One mission of border_patrol, run once and looked at by many tests; the command, run in an empty folder."""
 
 from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import List, Tuple
 
 import pytest
 
 from rqt_mrta_py.app.cli.main import main
-from tests.app.outputs import Outputs
+from tests.app.outputs import Mrta, Outputs
 
 
 @pytest.fixture(scope="session")
@@ -24,3 +28,31 @@ def patrol_review(patrol: Outputs, tmp_path_factory: pytest.TempPathFactory) -> 
     status = main(["review", str(patrol.bag), "--pictures", "10", "--out", str(folder), "-q"])
     assert status == 0
     return Outputs(folder)
+
+
+@pytest.fixture
+def mrta(capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Mrta:
+    """Run a command in an empty folder; gives its status and its lines on stderr."""
+    folder = tmp_path / "here"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+
+    def run(*arguments: str) -> Tuple[int, List[str]]:
+        try:
+            status = main(list(arguments))
+        except SystemExit as stop:
+            status = int(stop.code or 0)
+        return status, capsys.readouterr().err.splitlines()
+
+    return run
+
+
+@pytest.fixture
+def yard(tmp_path: Path, root: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Copy border_patrol to a package of one's own that can be broken, and put it on the path."""
+    package = tmp_path / "packages" / "yard"
+    shutil.copytree(str(root / "plugins" / "applications" / "border_patrol"), str(package))
+    manifest = package / "package.xml"
+    manifest.write_text(manifest.read_text().replace("<name>border_patrol</name>", "<name>yard</name>"))
+    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "packages"))
+    return package

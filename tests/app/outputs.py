@@ -5,7 +5,10 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Dict, List
+from typing import Any, Callable, Dict, List, Tuple
+
+Mrta = Callable[..., Tuple[int, List[str]]]
+"""Runs a command in an empty folder; gives its status and its lines on stderr."""
 
 
 @dataclass(frozen=True)

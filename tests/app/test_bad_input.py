@@ -2,44 +2,12 @@
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
-from typing import Callable, List, Optional, Tuple
+from typing import Callable, Optional, Tuple
 
 import pytest
 
-from rqt_mrta_py.app.cli.main import main
-from tests.app.outputs import Outputs
-
-Mrta = Callable[..., Tuple[int, List[str]]]
-
-
-@pytest.fixture
-def mrta(capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Mrta:
-    """Run a command in an empty folder; gives its status and its lines on stderr."""
-    folder = tmp_path / "here"
-    folder.mkdir()
-    monkeypatch.chdir(folder)
-
-    def run(*arguments: str) -> Tuple[int, List[str]]:
-        try:
-            status = main(list(arguments))
-        except SystemExit as stop:
-            status = int(stop.code or 0)
-        return status, capsys.readouterr().err.splitlines()
-
-    return run
-
-
-@pytest.fixture
-def yard(tmp_path: Path, root: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Copy border_patrol to a package of one's own that can be broken, and put it on the path."""
-    package = tmp_path / "packages" / "yard"
-    shutil.copytree(str(root / "plugins" / "applications" / "border_patrol"), str(package))
-    manifest = package / "package.xml"
-    manifest.write_text(manifest.read_text().replace("<name>border_patrol</name>", "<name>yard</name>"))
-    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "packages"))
-    return package
+from tests.app.outputs import Mrta
 
 
 def edit(path: Path, old: str, new: str) -> int:
@@ -125,126 +93,6 @@ def test_a_broken_manifest_is_reported_and_skipped(mrta: Mrta, tmp_path: Path, m
     assert status == 0
     assert len(lines) == 1
     assert str(broken / "package.xml") in lines[0]
-
-
-PLUGIN_MANIFEST = """<package format="3">
-  <name>stranger</name> <version>0.1.0</version> <description>d</description>
-  <maintainer email="a@b.c">m</maintainer> <license>l</license>
-  <exec_depend>rqt_mrta_py</exec_depend>
-  <export> <rqt_mrta_py plugin="stranger_plugin"/> </export>
-</package>
-"""
-
-
-@pytest.fixture
-def stranger(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Put a stranger's plugin package on the path; gives the file of its module, to be written."""
-    source = tmp_path / "packages" / "stranger" / "src"
-    source.mkdir(parents=True)
-    (source.parent / "package.xml").write_text(PLUGIN_MANIFEST)
-    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "packages"))
-    monkeypatch.syspath_prepend(str(source))
-    monkeypatch.delitem(__import__("sys").modules, "stranger_plugin", raising=False)
-    return source / "stranger_plugin.py"
-
-
-def short_run(mrta: Mrta) -> Tuple[int, List[str]]:
-    return mrta("run", "border_patrol", "--duration", "1", "--pictures", "0")
-
-
-def test_a_plugin_that_fails_to_import_is_reported_and_skipped(mrta: Mrta, stranger: Path) -> None:
-    stranger.write_text("import a_library_that_nobody_has\n")
-    status, lines = short_run(mrta)
-    assert status == 0
-    assert len(lines) == 1
-    assert "stranger" in lines[0]
-    assert "a_library_that_nobody_has" in lines[0]
-
-
-def test_a_plugin_that_raises_where_its_answer_is_needed_stops_the_run(mrta: Mrta, stranger: Path) -> None:
-    stranger.write_text(
-        "from rqt_mrta_py.hooks import hookimpl\n\n\n"
-        "@hookimpl\ndef mrta_register_statistics():\n    raise RuntimeError('no')\n"
-    )
-    status, lines = short_run(mrta)
-    assert status == 3
-    assert len(lines) == 1
-    assert "stranger" in lines[0]
-    assert "mrta_register_statistics" in lines[0]
-
-
-def test_an_observer_that_raises_is_named_and_the_run_goes_on(
-    mrta: Mrta, stranger: Path, caplog: pytest.LogCaptureFixture
-) -> None:
-    stranger.write_text(
-        "from rqt_mrta_py.hooks import hookimpl\n\n\n"
-        "@hookimpl\ndef mrta_on_event(event):\n    raise RuntimeError('no')\n"
-    )
-    status, lines = short_run(mrta)
-    assert status == 0
-    assert "stranger" in caplog.text
-    assert "mrta_on_event" in caplog.text
-    assert [line for line in lines if "Traceback" in line] == []
-
-
-def test_a_plugin_with_an_unknown_argument_is_refused_with_both_signatures(mrta: Mrta, stranger: Path) -> None:
-    stranger.write_text("from rqt_mrta_py.hooks import hookimpl\n\n\n@hookimpl\ndef mrta_on_event(evnt):\n    pass\n")
-    status, lines = short_run(mrta)
-    assert status == 3
-    assert len(lines) == 1
-    assert "stranger_plugin" in lines[0]
-    assert "mrta_on_event(evnt)" in lines[0]
-    assert "mrta_on_event(event)" in lines[0]
-
-
-def test_a_folder_that_is_not_empty_needs_force(mrta: Mrta, tmp_path: Path) -> None:
-    folder = tmp_path / "full"
-    folder.mkdir()
-    (folder / "mission.bag").write_text("precious")
-    status, lines = mrta("run", "border_patrol", "--duration", "1", "--out", str(folder))
-    assert status == 2
-    assert len(lines) == 1
-    assert "--force" in lines[0]
-    assert (folder / "mission.bag").read_text() == "precious"
-
-
-def test_force_replaces_the_outputs_of_an_earlier_run_and_nothing_else(mrta: Mrta, tmp_path: Path) -> None:
-    folder = tmp_path / "full"
-    (folder / "monitor").mkdir(parents=True)
-    (folder / "mission.bag").write_text("earlier")
-    (folder / "monitor" / "000009.00.png").write_text("earlier")
-    (folder / "notes.txt").write_text("mine")
-    (folder / "monitor" / "photograph.png").write_text("mine")
-    status, _ = mrta("run", "border_patrol", "--duration", "1", "--out", str(folder), "--force")
-    assert status == 0
-    assert (folder / "mission.bag").read_bytes().startswith(b"#ROSBAG V2.0")
-    pictures = ["000000.00.png", "000001.00.png", "photograph.png"]
-    assert sorted(path.name for path in (folder / "monitor").iterdir()) == pictures
-    assert (folder / "notes.txt").read_text() == "mine"
-
-
-@pytest.mark.parametrize("verb", ["run", "review"])
-def test_force_leaves_no_picture_of_an_earlier_mission(mrta: Mrta, patrol: Outputs, tmp_path: Path, verb: str) -> None:
-    """Without pictures of its own a run once lay beside those of another."""
-    folder = tmp_path / "full"
-    (folder / "monitor").mkdir(parents=True)
-    (folder / "monitor" / "000009.00.png").write_text("earlier")
-    (folder / "dashboard.png").write_text("earlier")
-    what = ("border_patrol", "--duration", "1") if verb == "run" else (str(patrol.bag),)
-    status, _ = mrta(verb, *what, "--pictures", "0", "--out", str(folder), "--force")
-    assert status == 0
-    assert (folder / "summary.json").exists()
-    assert [name for name in ("monitor", "dashboard.png") if (folder / name).exists()] == []
-
-
-def test_the_folder_runs_counts_up_where_none_is_given(mrta: Mrta, tmp_path: Path) -> None:
-    for _ in range(2):
-        assert mrta("run", "border_patrol", "--duration", "1", "--pictures", "0", "--seed", "3")[0] == 0
-    runs = tmp_path / "here" / "runs"
-    assert sorted(path.name for path in runs.iterdir()) == ["border_patrol-seed3", "border_patrol-seed3-2"]
-    bag = runs / "border_patrol-seed3" / "mission.bag"
-    assert mrta("review", str(bag), "--pictures", "0")[0] == 0
-    assert (runs / "mission-review" / "summary.json").exists()
 
 
 @pytest.mark.parametrize(
@@ -354,54 +202,3 @@ def test_a_current_folder_that_is_gone_is_told(mrta: Mrta, tmp_path: Path) -> No
     assert lines == [
         "mrta: runs: the folder for the outputs cannot be made: No such file or directory; give another one with --out"
     ]
-
-
-PANEL = """
-from rqt_mrta_py.hooks import hookimpl
-
-
-class Panel:
-    def subscriptions(self):
-        return [{subscriptions}]
-
-    def hear(self, heard):
-        raise RuntimeError("no")
-
-    def view(self, start, end):
-        raise RuntimeError("no")
-
-
-@hookimpl
-def mrta_register_monitor_panels():
-    return {{"rqt_alliance/alliance_plugin": {factory}}}
-"""
-
-
-@pytest.mark.parametrize(
-    ("factory", "subscriptions"),
-    [
-        ("lambda setup: Panel()", ""),
-        ("lambda setup: Panel()", "nothing_of_this_name"),
-        ("lambda setup: Panel().view(0, 0)", ""),
-    ],
-    ids=["view", "subscriptions", "factory"],
-)
-def test_a_monitor_panel_that_raises_stops_the_run_by_name(
-    mrta: Mrta, stranger: Path, factory: str, subscriptions: str
-) -> None:
-    stranger.write_text(PANEL.format(factory=factory, subscriptions=subscriptions))
-    status, lines = mrta("run", "border_patrol", "--duration", "1")
-    assert status == 3
-    assert len(lines) == 1
-    assert "monitor panel rqt_alliance/alliance_plugin: " in lines[0]
-
-
-def test_a_renderer_that_raises_stops_the_run_by_name(mrta: Mrta, stranger: Path) -> None:
-    stranger.write_text(
-        "from rqt_mrta_py.hooks import hookimpl\n\n\n"
-        "def draw(view):\n    raise RuntimeError('no')\n\n\n"
-        "@hookimpl\ndef mrta_register_renderers():\n    return {'monitor': draw}\n"
-    )
-    status, lines = mrta("run", "border_patrol", "--duration", "1")
-    assert status == 3
-    assert lines == ["mrta: renderer monitor: RuntimeError: no"]
