@@ -134,14 +134,14 @@ def test_architecture_does_not_judge_the_type_of_a_text_with_a_token() -> None:
 
 def test_architecture_reads_our_additions_to_the_grammar() -> None:
     topic = (
-        "<name>/@robot_id@/work/@task_id@</name><type>p/M</type><robot_field>robot</robot_field>"
+        "<name>/@robot_id@/job/@task_id@</name><type>p/M</type><robot_field>robot</robot_field>"
         "<task_field>task/id</task_field>"
     )
     for kind in ("completed_tasks", "failed_tasks", "incoming_tasks"):
         spec = read_architecture(with_topic(kind, "tasks", topic), "a.xml", "a")
 
         assert getattr(spec, kind) == (
-            MonitoredTopic("/@robot_id@/work/@task_id@", "p/M", "", robot_field="robot", task_field="task/id"),
+            MonitoredTopic("/@robot_id@/job/@task_id@", "p/M", "", robot_field="robot", task_field="task/id"),
         )
 
 

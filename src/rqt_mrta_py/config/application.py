@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Dict, List, Mapping, NamedTuple, Optional, Tuple, Union
 
-from rqt_mrta_py.config.element import Element, open_document
-from rqt_mrta_py.config.flavour import ROOT, check_flavour
+from rqt_mrta_py.config.element import Element
+from rqt_mrta_py.config.flavour import read_flavour
 from rqt_mrta_py.config.ids import read_id
 from rqt_mrta_py.config.launches import read_launches
-from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.templates import read_configs
 from rqt_mrta_py.model import ApplicationRobot, ApplicationSpec
 
@@ -43,13 +42,7 @@ def read_application(text: Union[str, bytes], path: str, package: str) -> Applic
 
 def read_application_file(text: Union[str, bytes], path: str, package: str) -> ApplicationFile:
     """Read an application as ``read_application`` does, and keep its lines for checks against other files."""
-    problems = Problems(path)
-    root = open_document(text, path, ROOT, problems)
-    check_flavour(root, "application", "architecture")
-    file = _read(root, package)
-    root.finish()
-    problems.raise_if_any()
-    return file
+    return read_flavour(text, path, "application", "architecture", lambda root: _read(root, package))
 
 
 def _read(root: Element, package: str) -> ApplicationFile:

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import Optional, Sequence, Tuple, Union
 
-from rqt_mrta_py.config.element import Element, open_document
-from rqt_mrta_py.config.flavour import ROOT, check_flavour
+from rqt_mrta_py.config.element import Element
+from rqt_mrta_py.config.flavour import read_flavour
 from rqt_mrta_py.config.launches import read_launches
-from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.templates import read_configs
 from rqt_mrta_py.config.topics import read_topics
 from rqt_mrta_py.config.wording import accepted
@@ -27,13 +26,7 @@ def read_architecture(text: Union[str, bytes], path: str, package: str) -> Archi
     Raises:
         ConfigError: with everything that is wrong, sorted by line.
     """
-    problems = Problems(path)
-    root = open_document(text, path, ROOT, problems)
-    check_flavour(root, "architecture", "application")
-    spec = _read(root, package)
-    root.finish()
-    problems.raise_if_any()
-    return spec
+    return read_flavour(text, path, "architecture", "application", lambda root: _read(root, package))
 
 
 def _read(root: Element, package: str) -> ArchitectureSpec:

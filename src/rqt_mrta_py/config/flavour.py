@@ -2,16 +2,44 @@
 
 from __future__ import annotations
 
-from rqt_mrta_py.config.element import Element
+from typing import Callable, TypeVar, Union
+
+from rqt_mrta_py.config.element import Element, open_document
+from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.wording import shown
 
-__all__ = ["ROOT", "check_flavour"]
+__all__ = ["read_flavour"]
 
-ROOT = "rqt_mrta"
-"""Name of the root element of both flavours."""
+_Spec = TypeVar("_Spec")
+
+_ROOT = "rqt_mrta"
 
 
-def check_flavour(root: Element, wanted: str, other: str) -> None:
+def read_flavour(
+    text: Union[str, bytes], path: str, wanted: str, other: str, read: Callable[[Element], _Spec]
+) -> _Spec:
+    """Read a file of one flavour, whole.
+
+    Args:
+        text: the whole file.
+        path: by which problems name the file.
+        wanted: ``architecture`` or ``application``.
+        other: the other one.
+        read: makes the specification of the root element; what it leaves unread is a problem.
+
+    Raises:
+        ConfigError: with everything that is wrong, sorted by line.
+    """
+    problems = Problems(path)
+    root = open_document(text, path, _ROOT, problems)
+    _check_flavour(root, wanted, other)
+    spec = read(root)
+    root.finish()
+    problems.raise_if_any()
+    return spec
+
+
+def _check_flavour(root: Element, wanted: str, other: str) -> None:
     """Note a contradiction between a file and the flavour it is read as; ``format=`` may be absent.
 
     Args:
