@@ -15,7 +15,7 @@ from rqt_mrta_py.hooks import Codec, Outgoing, Stamped
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Mission, ScenarioSpec
 from rqt_mrta_py.render import team_markers
-from rqt_mrta_py.sim import PerfectLink, Simulation, label_of
+from rqt_mrta_py.sim import PerfectLink, Simulation, first_tick_at, label_of
 from rqt_mrta_py.transport import Bus
 
 __all__ = ["STATE_PERIOD", "EmbeddedRun", "RunClock"]
@@ -47,7 +47,7 @@ class RunClock:
 
     def ticks(self, seconds: float) -> int:
         """Give the tick at or next after a mission time [s]."""
-        return -int(-seconds * self.rate // 1)
+        return first_tick_at(seconds, self.rate)
 
 
 class EmbeddedRun:

@@ -17,7 +17,8 @@ from __future__ import annotations
 
 from rqt_mrta_py.sim.links import PerfectLink
 from rqt_mrta_py.sim.scenario_events import label_of
+from rqt_mrta_py.sim.schedule import first_tick_at
 from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
 from rqt_mrta_py.sim.simulation import Simulation
 
-__all__ = ["PerfectLink", "SimulatedRobot", "Simulation", "label_of"]
+__all__ = ["PerfectLink", "SimulatedRobot", "Simulation", "first_tick_at", "label_of"]
