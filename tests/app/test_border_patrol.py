@@ -106,8 +106,8 @@ def test_a_stopped_robot_says_nothing_on_any_topic(patrol: Outputs) -> None:
 
 def test_pictures_of_the_mission_are_drawn(patrol: Outputs) -> None:
     pictures = sorted(path.name for path in (patrol.folder / "monitor").iterdir())
-    assert pictures[0] == "000000.00.png"
-    assert pictures[-1] == "000150.00.png"
+    assert pictures[0] == "000000.000.png"
+    assert pictures[-1] == "000150.000.png"
     assert len(pictures) == 16
     assert (patrol.folder / "dashboard.png").read_bytes().startswith(b"\x89PNG")
 

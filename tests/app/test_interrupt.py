@@ -29,7 +29,7 @@ def test_an_interrupted_run_leaves_complete_files(tmp_path: Path) -> None:
     folder = tmp_path / "run"
     command = [sys.executable, "-m", "rqt_mrta_py", "run", "border_patrol", "--out", str(folder)]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    third_picture = folder / "monitor" / "000002.00.png"
+    third_picture = folder / "monitor" / "000002.000.png"
     patience = time.monotonic() + 60
     while not third_picture.exists() and time.monotonic() < patience:
         time.sleep(0.05)

@@ -24,13 +24,13 @@ def test_force_replaces_the_outputs_of_an_earlier_run_and_nothing_else(mrta: Mrt
     folder = tmp_path / "full"
     (folder / "monitor").mkdir(parents=True)
     (folder / "mission.bag").write_text("earlier")
-    (folder / "monitor" / "000009.00.png").write_text("earlier")
+    (folder / "monitor" / "000009.000.png").write_text("earlier")
     (folder / "notes.txt").write_text("mine")
     (folder / "monitor" / "photograph.png").write_text("mine")
     status, _ = mrta("run", "border_patrol", "--duration", "1", "--out", str(folder), "--force")
     assert status == 0
     assert (folder / "mission.bag").read_bytes().startswith(b"#ROSBAG V2.0")
-    pictures = ["000000.00.png", "000001.00.png", "photograph.png"]
+    pictures = ["000000.000.png", "000001.000.png", "photograph.png"]
     assert sorted(path.name for path in (folder / "monitor").iterdir()) == pictures
     assert (folder / "notes.txt").read_text() == "mine"
 
@@ -40,7 +40,7 @@ def test_force_leaves_no_picture_of_an_earlier_mission(mrta: Mrta, patrol: Outpu
     """Without pictures of its own a run once lay beside those of another."""
     folder = tmp_path / "full"
     (folder / "monitor").mkdir(parents=True)
-    (folder / "monitor" / "000009.00.png").write_text("earlier")
+    (folder / "monitor" / "000009.000.png").write_text("earlier")
     (folder / "dashboard.png").write_text("earlier")
     what = ("border_patrol", "--duration", "1") if verb == "run" else (str(patrol.bag),)
     status, _ = mrta(verb, *what, "--pictures", "0", "--out", str(folder), "--force")

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from rqt_mrta_py.app.cli.main import main
 from tests.app.outputs import Outputs
 
 
@@ -24,3 +27,14 @@ def test_review_draws_the_same_pictures_as_the_run(patrol: Outputs, patrol_revie
     redrawn = {path.name: path.read_bytes() for path in (patrol_review.folder / "monitor").iterdir()}
     assert redrawn == drawn
     assert (patrol_review.folder / "dashboard.png").read_bytes() == (patrol.folder / "dashboard.png").read_bytes()
+
+
+def test_a_picture_period_that_is_no_whole_number_of_ticks_is_the_same_in_run_and_review(tmp_path: Path) -> None:
+    """At 20 Hz, 0.33 s is nearest to seven ticks of 0.05 s."""
+    run, review = tmp_path / "run", tmp_path / "review"
+    assert main(["run", "border_patrol", "--duration", "1", "--pictures", "0.33", "--out", str(run), "-q"]) == 0
+    bag = str(run / "mission.bag")
+    assert main(["review", bag, "--pictures", "0.33", "--out", str(review), "-q"]) == 0
+    drawn = {path.name: path.read_bytes() for path in (run / "monitor").iterdir()}
+    assert sorted(drawn) == ["000000.000.png", "000000.350.png", "000000.700.png"]
+    assert {path.name: path.read_bytes() for path in (review / "monitor").iterdir()} == drawn

@@ -12,7 +12,7 @@ from rqt_mrta_py.errors import MrtaError, UsageError
 __all__ = ["OutputFolder", "safe_file_name", "write_whole"]
 
 
-_PICTURES = "[0-9]*.[0-9][0-9].png"
+_PICTURES = "[0-9]*.[0-9][0-9][0-9].png"
 
 
 class OutputError(MrtaError):

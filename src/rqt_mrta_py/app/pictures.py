@@ -15,7 +15,7 @@ PICTURE_TOPIC = "/mrta/monitor/compressed"
 
 def picture_name(mission_time: float) -> str:
     """Name the picture of a mission time [s], so that names sort by time."""
-    return f"{mission_time:09.2f}.png"
+    return f"{mission_time:010.3f}.png"
 
 
 class PictureSchedule:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 from typing import Callable, Iterator, Optional, Tuple
 
@@ -12,7 +13,7 @@ from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.mission_message import MISSION_TOPIC, MISSION_TYPE, mission_from_fields
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs import OutputFolder
-from rqt_mrta_py.app.pictures import picture_name
+from rqt_mrta_py.app.pictures import period_in_ticks, picture_name
 from rqt_mrta_py.app.results import MissionResult, Stopwatch, write_results
 from rqt_mrta_py.config import load_mission, load_observed
 from rqt_mrta_py.errors import TransportError, UsageError
@@ -74,7 +75,7 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
     with Interrupt() as interrupt:
         folder = OutputFolder.create(request.out, f"{request.bag.stem}-review", request.force)
         path = folder.monitor(wanted=period > 0)
-        pictures = None if path is None else _Pictures(host.renderer("monitor"), path, period)
+        pictures = None if path is None else _Pictures(host.renderer("monitor"), path, _period_ns(mission, period))
         for stamped in read_bag(request.bag):
             if pictures is not None:
                 pictures.until(stamped.receipt_ns, observation)
@@ -91,10 +92,10 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
 class _Pictures:
     """Draws each picture once everything up to its moment has been heard."""
 
-    def __init__(self, renderer: Renderer, folder: Path, period: float) -> None:
+    def __init__(self, renderer: Renderer, folder: Path, period_ns: Fraction) -> None:
         self._renderer = renderer
         self._folder = folder
-        self._period_ns = max(1, round(period * _NS))
+        self._period_ns = period_ns
         self._start_ns: Optional[int] = None
         self._number = 0
 
@@ -102,11 +103,21 @@ class _Pictures:
         """Draw all pictures of moments before a message's receipt [ns]."""
         if self._start_ns is None:
             self._start_ns = receipt_ns
-        while self._start_ns + self._number * self._period_ns < receipt_ns:
-            passed_ns = self._number * self._period_ns
+        while True:
+            passed_ns = int(self._number * self._period_ns)
+            if self._start_ns + passed_ns >= receipt_ns:
+                return
             image = self._renderer(observation.view((self._start_ns + passed_ns) / _NS))
             write_picture(self._folder / picture_name(passed_ns / _NS), image)
             self._number += 1
+
+
+def _period_ns(mission: Mission, period: float) -> Fraction:
+    """Give the time between pictures [ns]: of a simulated mission in whole ticks, as its run drew them."""
+    ticks = None if mission.scenario is None else period_in_ticks(period, mission.scenario.control_rate)
+    if mission.scenario is None or ticks is None:
+        return Fraction(max(1, round(period * _NS)))
+    return Fraction(ticks * _NS, mission.scenario.control_rate)
 
 
 def _mission(host: Host, request: ReviewRequest, codec: Codec) -> Tuple[Mission, Optional[float]]:
