@@ -107,6 +107,7 @@ class EmbeddedRun:
         except BaseException:
             self._simulation.close()
             raise
+        self._drivers = {member.id: member.driver_node for member in self._team}
 
     def attach(self, record: Callable[[Stamped], None], pictures: Optional[PictureSchedule]) -> None:
         """Say where messages and pictures go; before the first step.
@@ -151,10 +152,9 @@ class EmbeddedRun:
                 member.host.resume()
 
     def _sense(self, tick: int, now: float) -> None:
-        nodes = {member.id: member.driver_node for member in self._team}
         for robot_id, messages in self._simulation.sense(tick, now):
             for message in messages:
-                nodes[robot_id].publish(message, now)
+                self._drivers[robot_id].publish(message, now)
 
     def _decide(self, tick: int, now: float) -> None:
         for member in self._team:

@@ -7,10 +7,10 @@ import re
 from pathlib import Path
 from typing import Any, Iterable, Mapping, Optional
 
+from rqt_mrta_py.config import write_whole
 from rqt_mrta_py.errors import MrtaError, UsageError
 
-__all__ = ["OutputFolder", "safe_file_name", "write_whole"]
-
+__all__ = ["OutputError", "OutputFolder", "safe_file_name"]
 
 _PICTURES = "[0-9]*.[0-9][0-9][0-9].png"
 
@@ -22,24 +22,6 @@ class OutputError(MrtaError):
 def safe_file_name(text: str) -> str:
     """Make a file name of any text: letters, digits, ``.``, ``_`` and ``-`` stay, the rest becomes ``_``."""
     return re.sub(r"[^A-Za-z0-9._-]", "_", text).strip(".") or "_"
-
-
-def write_whole(path: Path, data: bytes) -> None:
-    """Write a file aside and rename it, so that it is there whole or not at all.
-
-    Args:
-        path: where it shall be; its folder exists.
-        data: its content.
-
-    Raises:
-        OutputError: it cannot be written; names the file and the cause.
-    """
-    aside = path.with_name(path.name + ".part")
-    try:
-        aside.write_bytes(data)
-        aside.replace(path)
-    except OSError as error:
-        raise OutputError(f"{path}: cannot be written: {error.strerror}") from error
 
 
 class OutputFolder:
@@ -117,14 +99,17 @@ class OutputFolder:
 
     def write_json(self, name: str, value: Mapping[str, Any]) -> None:
         """Write one JSON document, keys in their given order."""
-        text = json.dumps(value, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
-        write_whole(self.path / name, text.encode("utf-8"))
+        self.write_text(name, json.dumps(value, indent=2, ensure_ascii=False, allow_nan=False) + "\n")
 
     def write_lines(self, name: str, values: Iterable[Mapping[str, Any]]) -> None:
         """Write one JSON document a line."""
         lines = [json.dumps(value, ensure_ascii=False, allow_nan=False) + "\n" for value in values]
-        write_whole(self.path / name, "".join(lines).encode("utf-8"))
+        self.write_text(name, "".join(lines))
 
     def write_text(self, name: str, text: str) -> None:
         """Write a text file."""
-        write_whole(self.path / name, text.encode("utf-8"))
+        path = self.path / name
+        try:
+            write_whole(path, text.encode("utf-8"))
+        except OSError as error:
+            raise OutputError(f"{path}: cannot be written: {error.strerror}") from error

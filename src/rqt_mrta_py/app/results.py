@@ -46,7 +46,7 @@ class MissionResult:
         record = self.record
         lost = sum(allocation.outcome is Outcome.LOST for allocation in record.allocations)
         ended = sum(task.state in (TaskState.DONE, TaskState.FAILED, TaskState.WITHDRAWN) for task in record.tasks)
-        speed = self.mission_time / self.wall_time if self.wall_time > 0 else 0.0
+        speed = _speed(self.mission_time, self.wall_time)
         lines = [
             f"{record.application or 'mission'} under {record.architecture or 'unknown architecture'}: "
             f"{self.mission_time:.1f} s in {self.wall_time:.1f} s ({speed:.1f} times real time)"
@@ -86,6 +86,10 @@ def write_results(
     return record, summed_up
 
 
+def _speed(mission_time: float, wall_time: float) -> float:
+    return mission_time / wall_time if wall_time > 0 else 0.0
+
+
 def _counted(things: Sequence[object], name: str) -> str:
     return f"{len(things)} {name}{'' if len(things) == 1 else 's'}"
 
@@ -115,7 +119,7 @@ class Stopwatch:
             f"started {self._started}",
             f"mission_seconds {mission_time:.3f}",
             f"wall_seconds {wall_time:.3f}",
-            f"mission_seconds_per_wall_second {mission_time / wall_time if wall_time > 0 else 0.0:.2f}",
+            f"mission_seconds_per_wall_second {_speed(mission_time, wall_time):.2f}",
             f"python {platform.python_version()}",
         ]
         lines += [f"{name} {version}" for name, version in installed_versions().items()]

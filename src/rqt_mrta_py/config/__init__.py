@@ -10,6 +10,7 @@
 * ``values``, ``layers``, ``array_sizes``, ``parameters``: templates and what is given to one robot's parameters;
   ``parameter_context`` says for whom, ``robot_parameters`` from which files, ``parameter_file`` writes them
 * ``mission``: all of it joined
+* ``whole_file``: files that are there whole or not at all
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ from rqt_mrta_py.config.registration import Registration, RegistrationKind, Regi
 from rqt_mrta_py.config.robot_parameters import ParameterChecks, Team, config_name, resolve_shared, resolve_team
 from rqt_mrta_py.config.scenario import read_scenario
 from rqt_mrta_py.config.tasks import read_tasks
+from rqt_mrta_py.config.whole_file import write_whole
 
 __all__ = [
     "Manifest",
@@ -53,4 +55,5 @@ __all__ = [
     "resolve_parameters",
     "resolve_shared",
     "resolve_team",
+    "write_whole",
 ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, List
 
+from rqt_mrta_py.config import write_whole
 from rqt_mrta_py.errors import RenderError
 from rqt_mrta_py.render.libraries import opencv
 
@@ -74,12 +75,9 @@ def write_picture(path: Path, image: NDArray[np.uint8]) -> None:
         data = encoder(image)
     except RenderError as error:
         raise RenderError(f"{path}: {error}") from error
-    aside = path.with_name(f".{path.name}.part")
     try:
-        aside.write_bytes(data)
-        aside.replace(path)
+        write_whole(path, data)
     except OSError as error:
-        _discard(aside)
         raise RenderError(f"{path}: the picture cannot be written: {error.strerror or error}") from error
 
 
@@ -97,10 +95,3 @@ def _encode(ending: str, image: NDArray[np.uint8], options: List[int]) -> bytes:
     if not done:
         raise RenderError(f"OpenCV cannot encode a picture of shape {image.shape} as {ending}")
     return bytes(data)
-
-
-def _discard(path: Path) -> None:
-    try:
-        path.unlink()
-    except OSError:
-        pass
