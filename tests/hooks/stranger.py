@@ -29,10 +29,10 @@ from rqt_mrta_py.hooks import (
     RobotModel,
     RuleSetup,
     SensorContext,
+    SensorMoment,
     SensorReading,
     Situation,
     Subscription,
-    World,
     hookimpl,
 )
 from rqt_mrta_py.model import (
@@ -129,8 +129,10 @@ class Odometer:
     def __init__(self, context: SensorContext) -> None:
         self.topic = context.setup.topic
 
-    def sense(self, now: float, truth: Pose, world: World) -> Sequence[Outgoing]:
-        return [Outgoing(self.topic, "std_msgs/Float64", {"data": truth.x})]
+    rays = None
+
+    def sense(self, moment: SensorMoment) -> Sequence[Outgoing]:
+        return [Outgoing(self.topic, "std_msgs/Float64", {"data": moment.truth.x})]
 
 
 class Farewells:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Dict, Iterable, Iterator, List, Optional, Tuple
+from typing import Dict, Iterable, Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -38,8 +38,8 @@ class StillWorld:
     def poses(self) -> np.ndarray:
         return np.array([(r.start.x, r.start.y, r.start.yaw) for r in self.setup.robots]).reshape(-1, 3)
 
-    def ranges(self, robot: str, bearings: np.ndarray, max_range: float) -> np.ndarray:
-        seen = np.resize(self.seen, bearings.shape)
+    def ranges(self, robots: Sequence[str], bearings: np.ndarray, max_range: float) -> np.ndarray:
+        seen = np.resize(self.seen, (len(robots), bearings.size))
         return np.where(seen > max_range, np.inf, seen)
 
     def close(self) -> None:

@@ -204,7 +204,7 @@ def test_ranges_are_the_distances_calculated_by_hand(world):
         Obstacle("post", Pose(1.0, 2.5), (0.5, 0.5, 0.5), "cylinder"),
     ]
     world.reset(setup(Pose(1.0, 1.0, 0.0), Pose(-0.5, 1.0, 0.0), obstacles=obstacles))
-    measured = world.ranges("r0", np.array([0.0, math.pi / 2, math.pi, -math.pi / 2]), 10.0)
+    measured = world.ranges(["r0"], np.array([0.0, math.pi / 2, math.pi, -math.pi / 2]), 10.0)[0]
     expected = [
         2.0 - 0.2 - 1.0,  # near face of the box
         2.5 - 0.25 - 1.0,  # near side of the post
@@ -217,7 +217,7 @@ def test_ranges_are_the_distances_calculated_by_hand(world):
 def test_ranges_turn_with_the_robot(world):
     world.reset(setup(Pose(0.0, 0.0, math.pi / 4)))
     across = 3.0 * math.sqrt(2.0)
-    measured = world.ranges("r0", np.array([0.0, math.pi / 4, math.pi / 2, -math.pi / 4]), 10.0)
+    measured = world.ranges(["r0"], np.array([0.0, math.pi / 4, math.pi / 2, -math.pi / 4]), 10.0)[0]
     np.testing.assert_allclose(measured, [across, 3.0, across, 3.0], atol=2e-3)
 
 
@@ -228,18 +228,18 @@ def test_ranges_meet_a_turned_box_on_its_face(world):
     # Beside the corner the face recedes at 45 degrees: x + |y| of the face's points, seen from the corner, is fixed.
     bearing = 0.1
     expected = [corner, corner / (math.cos(bearing) - math.sin(bearing))]
-    np.testing.assert_allclose(world.ranges("r0", np.array([0.0, bearing]), 10.0), expected, atol=3e-3)
+    np.testing.assert_allclose(world.ranges(["r0"], np.array([0.0, bearing]), 10.0)[0], expected, atol=3e-3)
 
 
 def test_ranges_are_infinite_where_nothing_is_near_enough(world):
     world.reset(setup(Pose(0.0, 0.0)))
-    assert world.ranges("r0", np.array([0.0, math.pi / 4]), 3.1)[0] == pytest.approx(3.0, abs=2e-3)
-    assert np.isposinf(world.ranges("r0", np.array([0.0, math.pi / 4]), 2.9)).all()
+    assert world.ranges(["r0"], np.array([0.0, math.pi / 4]), 3.1)[0][0] == pytest.approx(3.0, abs=2e-3)
+    assert np.isposinf(world.ranges(["r0"], np.array([0.0, math.pi / 4]), 2.9)[0]).all()
 
 
 def test_robot_does_not_see_itself(world):
     world.reset(setup(Pose(0.0, 0.0)))
-    measured = world.ranges("r0", np.linspace(-math.pi, math.pi, 90), 2.0)
+    measured = world.ranges(["r0"], np.linspace(-math.pi, math.pi, 90), 2.0)[0]
     assert np.isposinf(measured).all()
 
 
@@ -247,12 +247,12 @@ def test_robot_still_sees_the_wall_that_it_touches(world):
     world.reset(setup(Pose(2.0, 0.0)))
     world.command("r0", "base", Twist(0.5, 0.0, 0.0))
     run(world, 4.0)
-    assert world.ranges("r0", np.zeros(1), 4.0)[0] == pytest.approx(FRONT, abs=0.02)
+    assert world.ranges(["r0"], np.zeros(1), 4.0)[0][0] == pytest.approx(FRONT, abs=0.02)
 
 
 def test_ranges_take_no_rays(world):
     world.reset(setup(Pose(0.0, 0.0)))
-    assert world.ranges("r0", np.zeros(0), 4.0).shape == (0,)
+    assert world.ranges(["r0"], np.zeros(0), 4.0)[0].shape == (0,)
 
 
 def test_body_is_pushed_ahead_of_a_robot(world):
@@ -399,7 +399,7 @@ def test_reset_leaves_nothing_of_before(world):
     world.reset(setup(Pose(0.0, 0.0), arena=Arena(-1.0, -1.0, 1.0, 1.0)))
     assert world.bodies() == {}
     assert world.poses().shape == (1, 3)
-    assert world.ranges("r0", np.array([math.pi / 2]), 5.0)[0] == pytest.approx(1.0, abs=2e-3)
+    assert world.ranges(["r0"], np.array([math.pi / 2]), 5.0)[0][0] == pytest.approx(1.0, abs=2e-3)
     world.command("r0", "base", Twist(0.4, 0.0, 0.0))
     run(world, 1.0)
     assert world.poses()[0, 0] > 0.3

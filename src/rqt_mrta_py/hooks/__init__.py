@@ -3,15 +3,20 @@
 * ``specs``: every hook; ``hookimpl`` marks an implementation
 * ``manager``: loads plugins, calls them in a defined order; ``contract`` checks them when they are registered
 * ``stream``: messages, subscriptions, the codec's Protocol
-* ``agent``, ``behaviour``, ``evaluator``, ``navigator``: on the robot
+* ``agent``, ``allocator``, ``behaviour``, ``evaluator``, ``navigator``: on the robot
 * ``world``, ``robot_model``, ``sensor``, ``link``: in simulation
 * ``allocation``, ``incident``, ``statistic``: in supervision
 * ``picture``: in pictures
 * ``parameters``: in checks
+* ``exporter``, ``observer``: what else hears a mission
+* ``verb``, ``benchmark``: on the command line
+
+Errors that a plugin may raise to be told in one line stand here too.
 """
 
 from __future__ import annotations
 
+from rqt_mrta_py.errors import MrtaError, SimError, UsageError
 from rqt_mrta_py.hooks.agent import Agent, AgentFactory, AgentSetup, Decision, Situation, TaskReport
 from rqt_mrta_py.hooks.allocation import (
     AllocationInterpreter,
@@ -19,6 +24,7 @@ from rqt_mrta_py.hooks.allocation import (
     AllocationSign,
     InterpreterSetup,
 )
+from rqt_mrta_py.hooks.allocator import AllocationProblem, Allocator
 from rqt_mrta_py.hooks.behaviour import (
     Behaviour,
     BehaviourFactory,
@@ -27,7 +33,9 @@ from rqt_mrta_py.hooks.behaviour import (
     Command,
     Perception,
 )
+from rqt_mrta_py.hooks.benchmark import Benchmark, BenchmarkTable
 from rqt_mrta_py.hooks.evaluator import SensorReading, SensoryEvaluator, SensoryEvaluatorFactory
+from rqt_mrta_py.hooks.exporter import Exporter, ExporterFactory, ExporterSetup
 from rqt_mrta_py.hooks.incident import (
     AllocationEnded,
     AllocationStarted,
@@ -41,9 +49,10 @@ from rqt_mrta_py.hooks.incident import (
     RuleSetup,
     TaskStateChanged,
 )
-from rqt_mrta_py.hooks.link import Link
+from rqt_mrta_py.hooks.link import Link, LinkFactory, LinkSetup
 from rqt_mrta_py.hooks.manager import PluginManager, load_plugin, load_plugins
-from rqt_mrta_py.hooks.navigator import CostField, Navigator
+from rqt_mrta_py.hooks.navigator import CostField, Navigator, PlannerFactory, PlannerSetup
+from rqt_mrta_py.hooks.observer import MessageObserverFactory, ObserverSetup
 from rqt_mrta_py.hooks.parameters import ParameterProblem
 from rqt_mrta_py.hooks.picture import (
     Curve,
@@ -58,7 +67,7 @@ from rqt_mrta_py.hooks.picture import (
     SceneView,
 )
 from rqt_mrta_py.hooks.robot_model import RobotModel
-from rqt_mrta_py.hooks.sensor import Sensor, SensorContext, SensorFactory
+from rqt_mrta_py.hooks.sensor import RayPattern, Sensor, SensorContext, SensorFactory, SensorMoment
 from rqt_mrta_py.hooks.specs import PROJECT, HookSpecs, hookimpl
 from rqt_mrta_py.hooks.statistic import Statistic
 from rqt_mrta_py.hooks.stream import (
@@ -72,6 +81,7 @@ from rqt_mrta_py.hooks.stream import (
     Stamped,
     Subscription,
 )
+from rqt_mrta_py.hooks.verb import Verb
 from rqt_mrta_py.hooks.world import Body, BodyState, Contact, PlacedRobot, World, WorldFactory, WorldSetup
 
 __all__ = [
@@ -83,12 +93,16 @@ __all__ = [
     "AllocationEnded",
     "AllocationInterpreter",
     "AllocationInterpreterFactory",
+    "AllocationProblem",
     "AllocationSign",
     "AllocationStarted",
+    "Allocator",
     "Behaviour",
     "BehaviourFactory",
     "BehaviourSetup",
     "BehaviourStep",
+    "Benchmark",
+    "BenchmarkTable",
     "Body",
     "BodyState",
     "Codec",
@@ -100,6 +114,9 @@ __all__ = [
     "CurveGroup",
     "CurvePanel",
     "Decision",
+    "Exporter",
+    "ExporterFactory",
+    "ExporterSetup",
     "Fact",
     "FieldReader",
     "Heard",
@@ -109,17 +126,25 @@ __all__ = [
     "IncidentRuleFactory",
     "InterpreterSetup",
     "Link",
+    "LinkFactory",
+    "LinkSetup",
     "Listener",
+    "MessageObserverFactory",
     "MonitorPanel",
     "MonitorPanelFactory",
     "MonitorView",
+    "MrtaError",
     "Navigator",
+    "ObserverSetup",
     "Outgoing",
     "PanelSetup",
     "ParameterProblem",
     "Perception",
     "PlacedRobot",
+    "PlannerFactory",
+    "PlannerSetup",
     "PluginManager",
+    "RayPattern",
     "Renderer",
     "RobotHeard",
     "RobotModel",
@@ -131,15 +156,19 @@ __all__ = [
     "Sensor",
     "SensorContext",
     "SensorFactory",
+    "SensorMoment",
     "SensorReading",
     "SensoryEvaluator",
     "SensoryEvaluatorFactory",
+    "SimError",
     "Situation",
     "Stamped",
     "Statistic",
     "Subscription",
     "TaskReport",
     "TaskStateChanged",
+    "UsageError",
+    "Verb",
     "World",
     "WorldFactory",
     "WorldSetup",

@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Protocol, Sequence, Tuple
 
+from rqt_mrta_py.hooks.allocator import Allocator
 from rqt_mrta_py.hooks.evaluator import SensoryEvaluatorFactory
 from rqt_mrta_py.hooks.stream import Heard, Outgoing, Subscription
 from rqt_mrta_py.model import Pose, Progress, Task
@@ -31,6 +32,8 @@ class AgentSetup:
         parameters: this robot's, nested as in its YAML file, complete and checked against the templates.
         random: this robot's own generator.
         evaluators: sensory evaluators by name (``package/name``).
+        allocators: by name (``package/name``).
+        later_tasks: that this robot may carry out once they appear: not there yet, not applicable until then.
     """
 
     robot_id: str
@@ -39,6 +42,8 @@ class AgentSetup:
     parameters: Mapping[str, Any]
     random: np.random.Generator
     evaluators: Mapping[str, SensoryEvaluatorFactory] = field(default_factory=dict)
+    allocators: Mapping[str, Allocator] = field(default_factory=dict)
+    later_tasks: Tuple[Task, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -49,11 +54,15 @@ class TaskReport:
         task: its id.
         progress: what was reported.
         detail: why, in a few words.
+        robot: who reports it; of REASSIGNED the robot that it shall go to; None for an operator otherwise.
+        definition: of a task that appeared, what it is, where the message says so.
     """
 
     task: str
     progress: Progress
     detail: str = ""
+    robot: Optional[str] = None
+    definition: Optional[Task] = None
 
 
 @dataclass(frozen=True)

@@ -2,9 +2,32 @@
 
 from __future__ import annotations
 
-from typing import Protocol, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Protocol, Sequence, Tuple
 
-__all__ = ["Link"]
+from rqt_mrta_py.model import Pose
+
+if TYPE_CHECKING:
+    import numpy as np
+
+__all__ = ["Link", "LinkFactory", "LinkSetup"]
+
+
+@dataclass(frozen=True)
+class LinkSetup:
+    """What a link is made from.
+
+    Attributes:
+        robots: ids of the team, in the application's order.
+        parameters: as the scenario sets them.
+        pose: true pose of a robot now, in the frame ``map``; None for an id that is no robot's.
+        random: gives the generator of one sender and one receiver, the same at each call.
+    """
+
+    robots: Tuple[str, ...]
+    parameters: Mapping[str, Any]
+    pose: Callable[[str], Optional[Pose]]
+    random: Callable[[str, str], np.random.Generator]
 
 
 class Link(Protocol):
@@ -22,3 +45,7 @@ class Link(Protocol):
             Delays of the copies that arrive [s]; empty: lost; usually one.
         """
         ...
+
+
+LinkFactory = Callable[[LinkSetup], Link]
+"""Makes a link; raises SimError, one line for each problem, for parameters that it cannot work with."""

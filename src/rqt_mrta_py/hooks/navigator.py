@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Optional, Protocol, Sequence, Tuple
+from dataclasses import dataclass
+from typing import Callable, Optional, Protocol, Sequence, Tuple
 
-from rqt_mrta_py.model import Pose
+from rqt_mrta_py.model import Arena, Obstacle, Pose
 
-__all__ = ["CostField", "Navigator"]
+__all__ = ["CostField", "Navigator", "PlannerFactory", "PlannerSetup"]
 
 
 class CostField(Protocol):
@@ -44,3 +45,21 @@ class Navigator(Protocol):
             obstacles: centre in the frame ``map`` and radius [m] of each.
         """
         ...
+
+
+@dataclass(frozen=True)
+class PlannerSetup:
+    """What a planner is made from: the map as one robot knows it.
+
+    Attributes:
+        arena: floor and walls.
+        obstacles: fixed bodies.
+        radius: of the circle around the robot [m].
+    """
+
+    arena: Arena
+    obstacles: Tuple[Obstacle, ...]
+    radius: float
+
+
+PlannerFactory = Callable[[PlannerSetup], Navigator]

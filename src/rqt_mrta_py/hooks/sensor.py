@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Callable, Protocol, Sequence
+from typing import TYPE_CHECKING, Callable, NamedTuple, Optional, Protocol, Sequence
 
 from rqt_mrta_py.hooks.robot_model import RobotModel
 from rqt_mrta_py.hooks.stream import Outgoing
@@ -12,8 +12,9 @@ from rqt_mrta_py.model import Pose, SensorSetup
 
 if TYPE_CHECKING:
     import numpy as np
+    from numpy.typing import NDArray
 
-__all__ = ["Sensor", "SensorContext", "SensorFactory"]
+__all__ = ["RayPattern", "Sensor", "SensorContext", "SensorFactory", "SensorMoment"]
 
 
 @dataclass(frozen=True)
@@ -35,16 +36,45 @@ class SensorContext:
     random: np.random.Generator
 
 
+class RayPattern(NamedTuple):
+    """Rays that a sensor wants cast whenever it measures; robots that want the same are served together.
+
+    Attributes:
+        bearings: directions relative to the robot's heading [rad], shape (rays,).
+        max_range: what lies farther is not seen [m].
+    """
+
+    bearings: NDArray[np.float64]
+    max_range: float
+
+
+class SensorMoment(NamedTuple):
+    """What a sensor measures from.
+
+    Attributes:
+        now: the time, on the robot's clock [s].
+        truth: the robot's true pose in the frame ``map``.
+        ranges: true distances along the rays that the sensor wants [m], shape (rays,), infinity where nothing is
+            seen; not to be changed; None if it wants none.
+        world: what can be measured besides.
+    """
+
+    now: float
+    truth: Pose
+    ranges: Optional[NDArray[np.float64]]
+    world: World
+
+
 class Sensor(Protocol):
     """One simulated sensor of one robot."""
 
-    def sense(self, now: float, truth: Pose, world: World) -> Sequence[Outgoing]:
-        """Measure, at the sensor's own rate.
+    @property
+    def rays(self) -> Optional[RayPattern]:
+        """The rays it wants cast whenever it measures, asked once; None if it wants none."""
+        ...
 
-        Args:
-            now: the time [s].
-            truth: the robot's true pose in the frame ``map``.
-            world: what can be measured besides.
+    def sense(self, moment: SensorMoment) -> Sequence[Outgoing]:
+        """Measure, at the sensor's own rate.
 
         Returns:
             What the sensor publishes, relative names in the robot's namespace.

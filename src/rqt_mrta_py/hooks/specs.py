@@ -5,6 +5,10 @@ plugins that register one name the one discovered first wins, as with packages. 
 all are joined. ``mrta_on_*`` observes and returns nothing: an observer that raises is logged by name and skipped.
 A plugin that raises in any other hook, or returns what does not fit, stops the command with an error that names
 plugin and hook. Plugins are asked in the order of their discovery.
+
+Nobody waits for ever. Where a plugin's code has not returned within a minute (``RQT_MRTA_PY_PATIENCE`` [s]; 0: wait),
+it is interrupted: an observer is skipped, anything else stops the command, with an error that names file, line and
+function.
 """
 
 from __future__ import annotations
@@ -15,14 +19,21 @@ import pluggy
 
 from rqt_mrta_py.hooks.agent import AgentFactory
 from rqt_mrta_py.hooks.allocation import AllocationInterpreterFactory
+from rqt_mrta_py.hooks.allocator import Allocator
 from rqt_mrta_py.hooks.behaviour import BehaviourFactory
+from rqt_mrta_py.hooks.benchmark import Benchmark
 from rqt_mrta_py.hooks.evaluator import SensoryEvaluatorFactory
+from rqt_mrta_py.hooks.exporter import ExporterFactory
 from rqt_mrta_py.hooks.incident import IncidentRuleFactory
+from rqt_mrta_py.hooks.link import LinkFactory
+from rqt_mrta_py.hooks.navigator import PlannerFactory
+from rqt_mrta_py.hooks.observer import MessageObserverFactory
 from rqt_mrta_py.hooks.parameters import ParameterProblem
 from rqt_mrta_py.hooks.picture import MonitorPanelFactory, Renderer
 from rqt_mrta_py.hooks.robot_model import RobotModel
 from rqt_mrta_py.hooks.sensor import SensorFactory
 from rqt_mrta_py.hooks.statistic import Statistic
+from rqt_mrta_py.hooks.verb import Verb
 from rqt_mrta_py.hooks.world import WorldFactory
 from rqt_mrta_py.model import Event, Mission, MissionRecord, Task
 
@@ -78,6 +89,26 @@ class HookSpecs:
         """
 
     @hookspec
+    def mrta_register_allocators(self) -> Mapping[str, Allocator]:  # type: ignore[empty-body]
+        """Name who gives out tasks when all costs are known.
+
+        Called: once, before a run or a live agent starts; each allocator whenever an agent asks it.
+        Returns: allocator by name, spelt ``package/name`` as in parameters.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command; one raised by an allocator later on stops the run.
+        """
+
+    @hookspec
+    def mrta_register_planners(self) -> Mapping[str, PlannerFactory]:  # type: ignore[empty-body]
+        """Name what robots find their ways with.
+
+        Called: once, before a run or a live agent starts; each factory once for each robot that uses it.
+        Returns: factory by the name that scenarios use.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command; one raised while planning stops the run.
+        """
+
+    @hookspec
     def mrta_register_worlds(self) -> Mapping[str, WorldFactory]:  # type: ignore[empty-body]
         """Name the worlds that robots can be simulated in.
 
@@ -102,6 +133,16 @@ class HookSpecs:
         """Name the sensors that robots can be given in simulation.
 
         Called: once, before a run starts.
+        Returns: factory by the kind that scenarios use.
+        Combined: joined; the first registration of a kind wins.
+        An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_register_links(self) -> Mapping[str, LinkFactory]:  # type: ignore[empty-body]
+        """Name the radios between simulated robots.
+
+        Called: once, before a run starts; a factory at the start and at each ``radio_changes``.
         Returns: factory by the kind that scenarios use.
         Combined: joined; the first registration of a kind wins.
         An exception: stops the command.
@@ -145,6 +186,46 @@ class HookSpecs:
         Returns: function by name; ``monitor`` is drawn every picture period, ``dashboard`` at the end.
         Combined: joined; the first registration of a name wins.
         An exception: stops the command; one raised while drawing stops it too.
+        """
+
+    @hookspec
+    def mrta_register_exporters(self) -> Mapping[str, ExporterFactory]:  # type: ignore[empty-body]
+        """Name further files that runs and reviews can leave.
+
+        Called: once, before a run or review starts; the factories only of those asked for (``--export``).
+        Returns: factory by the name that ``--export`` uses.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command; one raised by an exporter later on stops it too.
+        """
+
+    @hookspec
+    def mrta_register_message_observers(self) -> Mapping[str, MessageObserverFactory]:  # type: ignore[empty-body]
+        """Name who hears messages as they come and answers nothing.
+
+        Called: once, before the first message of a run or review.
+        Returns: factory by the observer's name.
+        Combined: joined; the first registration of a name wins; observers are told in the order of their names.
+        An exception: stops the command; an observer that raises, or cannot be made, is logged and hears no more.
+        """
+
+    @hookspec
+    def mrta_register_verbs(self) -> Mapping[str, Verb]:  # type: ignore[empty-body]
+        """Name verbs that the command ``mrta`` shall have.
+
+        Called: once, when a verb is asked for that is none of its own, and for its help page.
+        Returns: verb by name; the command's own verbs cannot be replaced.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_register_benchmarks(self) -> Mapping[str, Benchmark]:  # type: ignore[empty-body]
+        """Name what ``mrta bench`` can measure.
+
+        Called: once, by ``mrta bench``.
+        Returns: benchmark by name.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command.
         """
 
     @hookspec

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Callable, FrozenSet, Mapping, NamedTuple, Protocol, Tuple, Union
+from typing import TYPE_CHECKING, Callable, FrozenSet, Mapping, NamedTuple, Protocol, Sequence, Tuple, Union
 
 from rqt_mrta_py.hooks.robot_model import RobotModel
 from rqt_mrta_py.model import Arena, Obstacle, Pose, Twist
@@ -144,17 +144,17 @@ class World(Protocol):
         """List what touches what after the last step: each pair once, sorted."""
         ...
 
-    def ranges(self, robot: str, bearings: NDArray[np.float64], max_range: float) -> NDArray[np.float64]:
-        """Measure distances from the robot's centre, in the plane of its range finder.
+    def ranges(self, robots: Sequence[str], bearings: NDArray[np.float64], max_range: float) -> NDArray[np.float64]:
+        """Measure distances from the centres of robots, each in the plane of its range finder.
 
         Args:
-            robot: its id.
-            bearings: directions relative to its heading [rad], shape (rays,).
+            robots: their ids.
+            bearings: directions relative to a robot's heading, the same for all [rad], shape (rays,).
             max_range: what lies farther is not seen [m].
 
         Returns:
-            True distances to the nearest surface that is not the robot's own [m], shape (rays,); infinity where
-            nothing is seen.
+            True distances to the nearest surface that is not the robot's own [m], shape (robots, rays); infinity
+            where nothing is seen.
         """
         ...
 

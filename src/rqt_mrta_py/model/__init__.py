@@ -41,6 +41,7 @@ from rqt_mrta_py.model.record import (
 from rqt_mrta_py.model.scenario import (
     Arena,
     Obstacle,
+    RadioSetup,
     RobotSetup,
     ScenarioEvent,
     ScenarioEventKind,
@@ -77,6 +78,7 @@ __all__ = [
     "ParameterType",
     "Pose",
     "Progress",
+    "RadioSetup",
     "RobotInterval",
     "RobotRecord",
     "RobotSetup",

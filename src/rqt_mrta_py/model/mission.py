@@ -42,6 +42,7 @@ class Mission:
         scenario: what is simulated; None on hardware.
         seed: of every random generator of the run; None where unknown.
         texts: the files all this was read from.
+        later_tasks: listed, but not there until the scenario, or an operator, lets them appear; in file order.
     """
 
     application: ApplicationSpec
@@ -51,9 +52,10 @@ class Mission:
     scenario: Optional[ScenarioSpec] = None
     seed: Optional[int] = None
     texts: Optional[MissionTexts] = None
+    later_tasks: Tuple[Task, ...] = ()
 
     def tasks_of(self, robot_id: str) -> Tuple[Task, ...]:
-        """List the tasks that a robot may carry out.
+        """List the tasks that a robot may carry out from the start.
 
         Args:
             robot_id: normalised id of a robot of the application.
@@ -62,7 +64,14 @@ class Mission:
             The mission's tasks that the application gives to this robot, in the mission's order; all of them
             if the application names none for it.
         """
+        return self._given_to(robot_id, self.tasks)
+
+    def later_tasks_of(self, robot_id: str) -> Tuple[Task, ...]:
+        """List the tasks that a robot may carry out once they appear; as ``tasks_of`` otherwise."""
+        return self._given_to(robot_id, self.later_tasks)
+
+    def _given_to(self, robot_id: str, tasks: Tuple[Task, ...]) -> Tuple[Task, ...]:
         for robot in self.application.robots:
             if robot.id == robot_id and robot.tasks:
-                return tuple(task for task in self.tasks if task.id in robot.tasks)
-        return self.tasks
+                return tuple(task for task in tasks if task.id in robot.tasks)
+        return tasks

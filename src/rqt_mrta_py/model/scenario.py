@@ -8,7 +8,16 @@ from typing import Any, Mapping, Optional, Tuple
 
 from rqt_mrta_py.model.geometry import Pose
 
-__all__ = ["Arena", "Obstacle", "RobotSetup", "ScenarioEvent", "ScenarioEventKind", "ScenarioSpec", "SensorSetup"]
+__all__ = [
+    "Arena",
+    "Obstacle",
+    "RadioSetup",
+    "RobotSetup",
+    "ScenarioEvent",
+    "ScenarioEventKind",
+    "ScenarioSpec",
+    "SensorSetup",
+]
 
 
 @dataclass(frozen=True)
@@ -81,11 +90,49 @@ class RobotSetup:
     capabilities: Tuple[str, ...] = ()
 
 
+@dataclass(frozen=True)
+class RadioSetup:
+    """The radio between robots.
+
+    Attributes:
+        kind: the name under which the link's model is registered.
+        parameters: what that model wants to know.
+    """
+
+    kind: str = "perfect"
+    parameters: Mapping[str, Any] = field(default_factory=dict)
+
+
 class ScenarioEventKind(Enum):
-    """What a scenario can make happen."""
+    """What a scenario can make happen.
+
+    * ``robot_stops``: it stands still and falls silent on all its topics; ``robot_returns`` undoes one stop.
+    * ``robot_sticks``: it stands still but is heard; ``robot_comes_free`` undoes it.
+    * ``robot_slows``: it drives at ``factor`` of what it is commanded, from 0 to 1; 1 undoes it.
+    * ``robot_clock_shifts``: its clock is off by ``offset`` [s] from then on; 0 sets it right.
+    * ``radio_fails``: a robot neither sends to nor hears from any other; ``radio_returns`` undoes it.
+    * ``radio_partitions``: only robots of one of the ``groups`` (lists of ids) reach one another, whoever is in none
+      reaches nobody; ``radio_heals`` undoes it.
+    * ``radio_changes``: from then on the radio is of another ``kind``, or has other parameters.
+    * ``task_appears``: a listed task that was not there before is there.
+    * ``task_withdrawn``: an operator takes a task back.
+    * ``task_reassigned``: an operator wants a task to be carried out by another robot.
+    """
 
     ROBOT_STOPS = "robot_stops"
     ROBOT_RETURNS = "robot_returns"
+    ROBOT_STICKS = "robot_sticks"
+    ROBOT_COMES_FREE = "robot_comes_free"
+    ROBOT_SLOWS = "robot_slows"
+    ROBOT_CLOCK_SHIFTS = "robot_clock_shifts"
+    RADIO_FAILS = "radio_fails"
+    RADIO_RETURNS = "radio_returns"
+    RADIO_PARTITIONS = "radio_partitions"
+    RADIO_HEALS = "radio_heals"
+    RADIO_CHANGES = "radio_changes"
+    TASK_APPEARS = "task_appears"
+    TASK_WITHDRAWN = "task_withdrawn"
+    TASK_REASSIGNED = "task_reassigned"
 
 
 @dataclass(frozen=True)
@@ -120,6 +167,8 @@ class ScenarioSpec:
         duration: of the mission [s].
         control_rate: control ticks a second [Hz]; an integer, for the tick is the clock.
         picture_period: one monitor picture every so many seconds of mission time; 0 for none [s].
+        radio: between robots, at the start.
+        planner: the name under which is registered what robots find their ways with.
     """
 
     arena: Arena
@@ -130,3 +179,5 @@ class ScenarioSpec:
     duration: float = 60.0
     control_rate: int = 20
     picture_period: float = 1.0
+    radio: RadioSetup = field(default_factory=RadioSetup)
+    planner: str = "astar"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Callable, List, Mapping, Sequence, Tuple
+from typing import TYPE_CHECKING, Callable, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import (
@@ -13,6 +13,7 @@ from rqt_mrta_py.hooks import (
     Sensor,
     SensorContext,
     SensorFactory,
+    SensorMoment,
     Subscription,
     World,
 )
@@ -22,6 +23,7 @@ from rqt_mrta_py.sim.transforms import TransformSource
 
 if TYPE_CHECKING:
     import numpy as np
+    from numpy.typing import NDArray
 
 __all__ = ["COMMAND_TIMEOUT", "SimulatedRobot"]
 
@@ -91,9 +93,13 @@ class SimulatedRobot:
         measured: List[Outgoing] = []
         for schedule, sensor in self._sensors:
             if schedule.is_due(tick):
-                measured.extend(sensor.sense(now, truth, world))
+                measured.extend(sensor.sense(SensorMoment(now, truth, self._ranges(sensor, world), world)))
         measured.extend(self._transforms.derive(now, measured))
         return measured
+
+    def _ranges(self, sensor: Sensor, world: World) -> Optional[NDArray[np.float64]]:
+        rays = sensor.rays
+        return None if rays is None else world.ranges((self.id,), rays.bearings, rays.max_range)[0]
 
     def command(self, now: float) -> Twist:
         """Give the velocity to drive at a time [s], within the model's limits."""

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from rqt_mrta_py.errors import SimError
+from rqt_mrta_py.hooks import SensorMoment
 from rqt_mrta_py.model import Pose
 from rqt_mrta_py.sim.messages import pose_of
 from rqt_mrta_py.sim.sensors import Localiser
@@ -16,7 +17,7 @@ TRUTH = Pose(1.0, -2.0, 3.0)
 
 
 def locate(sensor):
-    (outgoing,) = sensor.sense(4.0, TRUTH, StillWorld())
+    (outgoing,) = sensor.sense(SensorMoment(4.0, TRUTH, None, StillWorld()))
     return outgoing
 
 

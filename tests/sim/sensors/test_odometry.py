@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from rqt_mrta_py.errors import SimError
+from rqt_mrta_py.hooks import SensorMoment
 from rqt_mrta_py.model import Pose
 from rqt_mrta_py.sim.messages import pose_of
 from rqt_mrta_py.sim.sensors import Odometry
@@ -19,7 +20,7 @@ def drive(path, random=None, **parameters):
     """Let odometry follow true poses, a tenth of a second apart; give its last message."""
     sensor = Odometry(context("odometry", "odom", random=random, start=path[0], **parameters))
     for index, truth in enumerate(path):
-        (outgoing,) = sensor.sense(1.0 + 0.1 * index, truth, StillWorld())
+        (outgoing,) = sensor.sense(SensorMoment(1.0 + 0.1 * index, truth, None, StillWorld()))
     return outgoing
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from rqt_mrta_py.errors import SimError
+from rqt_mrta_py.hooks import SensorMoment
 from rqt_mrta_py.sim.sensors import RangeFinder
 from tests.sim.doubles import ScriptedRandom, StillWorld
 from tests.sim.sensors.support import START, context
@@ -14,9 +15,10 @@ EXACT = {"noise": 0.0, "noise_per_metre": 0.0, "dropout": 0.0}
 
 
 def scan(seen, random=None, **parameters):
-    (outgoing,) = RangeFinder(context("range_finder", "scan", random=random, **parameters)).sense(
-        2.5, START, StillWorld(seen)
-    )
+    sensor = RangeFinder(context("range_finder", "scan", random=random, **parameters))
+    world = StillWorld(seen)
+    (ranges,) = world.ranges(["r0"], *sensor.rays)
+    (outgoing,) = sensor.sense(SensorMoment(2.5, START, ranges, world))
     return outgoing
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Dict, FrozenSet, List, Mapping, Optional, Set, Tuple, Union
+from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Set, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -152,25 +152,28 @@ class BulletWorld:
                 pairs.add(Contact(min(first, second), max(first, second)))
         return tuple(sorted(pairs))
 
-    def ranges(self, robot: str, bearings: NDArray[np.float64], max_range: float) -> NDArray[np.float64]:
-        """Measure distances from the robot's centre, in the plane of its range finder.
+    def ranges(self, robots: Sequence[str], bearings: NDArray[np.float64], max_range: float) -> NDArray[np.float64]:
+        """Measure distances from the centres of robots, each in the plane of its range finder.
 
         Args:
-            robot: its id.
-            bearings: directions relative to its heading [rad], shape (rays,).
+            robots: their ids.
+            bearings: directions relative to a robot's heading, the same for all [rad], shape (rays,).
             max_range: what lies farther is not seen [m].
 
         Returns:
-            True distances to the nearest surface that is not the robot's own [m], shape (rays,); infinity where
-            nothing is seen.
+            True distances to the nearest surface that is not the robot's own [m], shape (robots, rays); infinity
+            where nothing is seen.
 
         Raises:
             SimError: no such robot.
         """
-        wheeled = self._robot(robot)
-        x, y, yaw = self._poses[self._rows[robot]]
-        centre = (float(x), float(y), wheeled.model.sensor_height)
-        return cast_rays(self._running, wheeled.body, centre, yaw + np.asarray(bearings, dtype=np.float64), max_range)
+        seen = np.empty((len(robots), np.size(bearings)))
+        for row, robot in enumerate(robots):
+            wheeled = self._robot(robot)
+            x, y, yaw = self._poses[self._rows[robot]]
+            centre = (float(x), float(y), wheeled.model.sensor_height)
+            seen[row] = cast_rays(self._running, wheeled.body, centre, yaw + np.asarray(bearings), max_range)
+        return seen
 
     def close(self) -> None:
         """Free the physics client; safe to call twice."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Sequence
 
-from rqt_mrta_py.hooks import Outgoing, SensorContext, World
+from rqt_mrta_py.hooks import Outgoing, SensorContext, SensorMoment
 from rqt_mrta_py.model import Pose, wrap_angle
 from rqt_mrta_py.sim.messages import header, pose_fields
 from rqt_mrta_py.sim.sensors.settings import SensorSettings
@@ -28,13 +28,17 @@ class Localiser:
         self._topic = context.setup.topic
         self._random = context.random
 
-    def sense(self, now: float, truth: Pose, world: World) -> Sequence[Outgoing]:
+    @property
+    def rays(self) -> None:
+        """It wants none."""
+
+    def sense(self, moment: SensorMoment) -> Sequence[Outgoing]:
         """Locate once."""
         x, y, yaw = self._random.standard_normal(3).tolist()
         pose = Pose(
-            truth.x + self._position_noise * x,
-            truth.y + self._position_noise * y,
-            wrap_angle(truth.yaw + self._heading_noise * yaw),
+            moment.truth.x + self._position_noise * x,
+            moment.truth.y + self._position_noise * y,
+            wrap_angle(moment.truth.yaw + self._heading_noise * yaw),
         )
-        fields = {"header": header(now, "map"), "pose": pose_fields(pose)}
+        fields = {"header": header(moment.now, "map"), "pose": pose_fields(pose)}
         return (Outgoing(self._topic, "geometry_msgs/PoseStamped", fields),)

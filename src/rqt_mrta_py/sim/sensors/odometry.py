@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Optional, Sequence, Tuple
 
-from rqt_mrta_py.hooks import Outgoing, SensorContext, World
+from rqt_mrta_py.hooks import Outgoing, SensorContext, SensorMoment
 from rqt_mrta_py.model import Pose, wrap_angle
 from rqt_mrta_py.sim.messages import header, pose_fields
 from rqt_mrta_py.sim.sensors.settings import SensorSettings
@@ -54,11 +54,15 @@ class Odometry:
         self._truth = context.start
         self._time: Optional[float] = None
 
-    def sense(self, now: float, truth: Pose, world: World) -> Sequence[Outgoing]:
+    @property
+    def rays(self) -> None:
+        """It wants none."""
+
+    def sense(self, moment: SensorMoment) -> Sequence[Outgoing]:
         """Count what the wheels did since the last time."""
-        distance, turn = self._count(truth)
-        elapsed = now - self._time if self._time is not None else 0.0
-        self._time = now
+        distance, turn = self._count(moment.truth)
+        elapsed = moment.now - self._time if self._time is not None else 0.0
+        self._time = moment.now
         middle = self._counted.yaw + turn / 2
         self._counted = Pose(
             self._counted.x + distance * math.cos(middle),
@@ -67,7 +71,7 @@ class Odometry:
         )
         speed, turn_rate = (distance / elapsed, turn / elapsed) if elapsed > 0 else (0.0, 0.0)
         fields = {
-            "header": header(now, f"{self._robot_id}/odom"),
+            "header": header(moment.now, f"{self._robot_id}/odom"),
             "child_frame_id": f"{self._robot_id}/base_link",
             "pose": {"pose": pose_fields(self._counted)},
             "twist": {"twist": {"linear": {"x": speed}, "angular": {"z": turn_rate}}},

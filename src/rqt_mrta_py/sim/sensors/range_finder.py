@@ -8,8 +8,7 @@ from typing import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from rqt_mrta_py.hooks import Outgoing, SensorContext, World
-from rqt_mrta_py.model import Pose
+from rqt_mrta_py.hooks import Outgoing, RayPattern, SensorContext, SensorMoment
 from rqt_mrta_py.sim.messages import header
 from rqt_mrta_py.sim.sensors.settings import SensorSettings
 
@@ -60,9 +59,16 @@ class RangeFinder:
             "range_max": self._max_range,
         }
 
-    def sense(self, now: float, truth: Pose, world: World) -> Sequence[Outgoing]:
+    @property
+    def rays(self) -> RayPattern:
+        """The rays it wants cast."""
+        return RayPattern(self._bearings, self._max_range)
+
+    def sense(self, moment: SensorMoment) -> Sequence[Outgoing]:
         """Measure once; draws as many random numbers whatever is seen."""
-        true = world.ranges(self._robot_id, self._bearings, self._max_range)
+        true = moment.ranges
+        if true is None:
+            raise ValueError("a range finder was handed no ranges")
         noise = self._random.standard_normal(true.size)
         lost = self._random.random(true.size) < self._dropout
         with np.errstate(invalid="ignore"):  # infinity times a noise of nothing
@@ -70,7 +76,7 @@ class RangeFinder:
         measured[measured < self._min_range] = -np.inf
         measured[lost | np.isinf(true) | (measured > self._max_range)] = np.inf
         fields = {
-            "header": header(now, f"{self._robot_id}/base_link"),
+            "header": header(moment.now, f"{self._robot_id}/base_link"),
             **self._constant,
             "ranges": measured.tolist(),
         }
