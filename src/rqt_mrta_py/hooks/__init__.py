@@ -64,6 +64,7 @@ from rqt_mrta_py.hooks.picture import (
     PanelSetup,
     Renderer,
     RobotSight,
+    ScenarioLabel,
     SceneView,
 )
 from rqt_mrta_py.hooks.robot_model import RobotModel
@@ -152,6 +153,7 @@ __all__ = [
     "RobotSilent",
     "RobotStateChanged",
     "RuleSetup",
+    "ScenarioLabel",
     "SceneView",
     "Sensor",
     "SensorContext",

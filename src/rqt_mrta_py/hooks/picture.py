@@ -25,6 +25,7 @@ __all__ = [
     "PanelSetup",
     "Renderer",
     "RobotSight",
+    "ScenarioLabel",
     "SceneView",
 ]
 
@@ -115,6 +116,24 @@ class RobotSight:
 
 
 @dataclass(frozen=True)
+class ScenarioLabel:
+    """Something that a scenario made happen on purpose, told for people: pictures show it, rules never see it.
+
+    Attributes:
+        time: when, on the stream's clock [s].
+        kind: as in scenarios, for instance ``robot_stops``.
+        text: one sentence.
+        robot, task: ids it speaks of; empty if none.
+    """
+
+    time: float
+    kind: str
+    text: str
+    robot: str = ""
+    task: str = ""
+
+
+@dataclass(frozen=True)
 class SceneView:
     """What the arena looks like at one moment.
 
@@ -122,13 +141,15 @@ class SceneView:
         arena: floor and walls; None where nothing is known of them.
         obstacles: fixed bodies.
         robots: in the mission's order.
-        tasks: the mission's tasks, for their places.
+        tasks: the mission's tasks that are there, for their places; those that appeared later come last.
+        labels: what the scenario made happen so far, oldest first.
     """
 
     arena: Optional[Arena]
     obstacles: Tuple[Obstacle, ...]
     robots: Tuple[RobotSight, ...]
     tasks: Tuple[Task, ...]
+    labels: Tuple[ScenarioLabel, ...] = ()
 
 
 @dataclass(frozen=True)
