@@ -4,6 +4,7 @@
 * ``wire``, ``reading``, ``writing``, ``faults``, ``codec``: fields into bytes and back
 * ``patterns``, ``dispatch``: hearing a stream
 * ``bus``, ``node``: the embedded bus of simulated runs
+* ``batches``: from process to process
 * ``bag_writer``, ``bag_reader``: bags
 * ``rosbags_door``: the only place that imports rosbags
 """
@@ -12,6 +13,7 @@ from __future__ import annotations
 
 from rqt_mrta_py.transport.bag_reader import BagInfo, read_bag, read_bag_info
 from rqt_mrta_py.transport.bag_writer import BagWriter, Compression
+from rqt_mrta_py.transport.batches import BatchPacker, BatchUnpacker
 from rqt_mrta_py.transport.bus import Bus
 from rqt_mrta_py.transport.codec import RosCodec
 from rqt_mrta_py.transport.dispatch import Dispatcher
@@ -20,6 +22,8 @@ from rqt_mrta_py.transport.node import Node
 __all__ = [
     "BagInfo",
     "BagWriter",
+    "BatchPacker",
+    "BatchUnpacker",
     "Bus",
     "Compression",
     "Dispatcher",
