@@ -1,0 +1,12 @@
+"""Nearest robot: every robot tells what each task would cost it, and all compute the same allocation.
+
+* ``allocators``: greedy and optimal, for this and other architectures; ``benchmark``: compares them
+* ``parameters``: what one robot is told
+* ``bids``: what robots tell one another; ``listening``: the newest bid of each
+* ``allotment``: from bids to who carries out what; ``agent``: the robot's cycle
+* ``interpreter``: tells from bids what became of an allocation
+* ``panel``: costs, for pictures
+* ``plugin``: the hooks
+"""
+
+from __future__ import annotations
