@@ -10,7 +10,8 @@ import pytest
 
 from rqt_mrta_py.config import Registration, RegistrationKind
 from rqt_mrta_py.errors import HookError
-from rqt_mrta_py.hooks.manager import PluginManager, load_plugin, load_plugins
+from rqt_mrta_py.hooks.loading import load_plugin, load_plugins
+from rqt_mrta_py.hooks.manager import PluginManager
 
 GOOD = """
 from rqt_mrta_py.hooks import hookimpl

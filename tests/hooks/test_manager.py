@@ -9,11 +9,12 @@ import pluggy
 import pytest
 
 from rqt_mrta_py.errors import HookError
-from rqt_mrta_py.hooks import HookSpecs, ParameterProblem, PluginManager, hookimpl
+from rqt_mrta_py.hooks import HookSpecs, ParameterProblem, PluginManager, Verb, hookimpl
 from rqt_mrta_py.hooks.contract import HOOKS
 from rqt_mrta_py.model import Event, Severity
 
 EVENT = Event(1.0, "robot_state", Severity.INFO, "robot1 is idle")
+VERB = Verb("does nothing", lambda parser: None, lambda options: 0)
 CHECK: Dict[str, Any] = {"architecture": "a", "robot_id": "r", "parameters": {}, "tasks": ()}
 
 
@@ -53,6 +54,18 @@ class Answers:
 
     @hookimpl
     def mrta_register_agents(self) -> Any:
+        return self.answer
+
+    @hookimpl
+    def mrta_register_verbs(self) -> Any:
+        return self.answer
+
+    @hookimpl
+    def mrta_register_benchmarks(self) -> Any:
+        return self.answer
+
+    @hookimpl
+    def mrta_register_exporters(self) -> Any:
         return self.answer
 
     @hookimpl
@@ -98,9 +111,39 @@ def test_registered_refuses_what_does_not_fit_and_names_plugin_and_hook(answer: 
     assert str(caught.value) == f"plugin 'mine': {message}"
 
 
-def test_registered_wants_robot_models_to_be_robot_models() -> None:
-    with pytest.raises(HookError, match="registers 'm' as 'big'; a RobotModel is needed"):
-        manager_of(mine=Answers({"m": "big"})).registered("mrta_register_robot_models")
+@pytest.mark.parametrize(
+    ("hook", "type_name"),
+    [
+        ("mrta_register_robot_models", "RobotModel"),
+        ("mrta_register_verbs", "Verb"),
+        ("mrta_register_benchmarks", "Benchmark"),
+    ],
+)
+def test_registered_wants_values_of_their_type(hook: str, type_name: str) -> None:
+    with pytest.raises(HookError, match=f"{hook} registers 'm' as 'big'; a {type_name} is needed"):
+        manager_of(mine=Answers({"m": "big"})).registered(hook)
+
+
+@pytest.mark.parametrize("name", ["Plan", "plan_structure", "plan structure", "-plan", "plan-", "../plan", "plan\n"])
+def test_registered_wants_names_of_verbs_that_can_be_typed(name: str) -> None:
+    with pytest.raises(HookError) as caught:
+        manager_of(mine=Answers({name: VERB})).registered("mrta_register_verbs")
+
+    assert str(caught.value) == (
+        f"plugin 'mine': mrta_register_verbs registers under {name!r}; "
+        "lower case letters and digits, joined by '-', are accepted"
+    )
+
+
+def test_registered_wants_names_of_exporters_that_can_be_folders() -> None:
+    with pytest.raises(HookError, match=r"under '\.\./csv'; lower case letters and digits, joined by '-' or '_', are"):
+        manager_of(mine=Answers({"../csv": print})).registered("mrta_register_exporters")
+
+
+def test_registered_takes_what_fits() -> None:
+    manager = manager_of(mine=Answers({"plan-2": VERB}))
+
+    assert manager.registered("mrta_register_verbs") == {"plan-2": VERB}
 
 
 def test_registered_names_the_plugin_that_raised_and_keeps_the_cause() -> None:
@@ -157,13 +200,13 @@ def test_notify_tells_all_in_order_and_logs_the_one_that_raises(caplog: pytest.L
     assert caplog.messages == ["event=observer_failed plugin=two hook=mrta_on_event"]
 
 
-def test_calls_are_traced_with_plugin_and_hook(caplog: pytest.LogCaptureFixture) -> None:
-    manager = manager_of(one=Agents("a"))
+def test_owner_tells_whose_registration_won() -> None:
+    manager = manager_of(one=Agents("a"), two=Agents("a", "b"))
 
-    with caplog.at_level(logging.DEBUG, "rqt_mrta_py.hooks"):
-        manager.registered("mrta_register_agents")
-
-    assert caplog.messages == ["event=call plugin=one hook=mrta_register_agents"]
+    assert manager.owner("mrta_register_agents", "a") == "one"
+    assert manager.owner("mrta_register_agents", "b") == "two"
+    with pytest.raises(KeyError):
+        manager.owner("mrta_register_agents", "c")
 
 
 def test_calls_that_the_host_gets_wrong_are_programming_mistakes() -> None:

@@ -9,7 +9,8 @@ from rqt_mrta_py.app.guard import guarded_renderer
 from rqt_mrta_py.config import Registry, discover
 from rqt_mrta_py.errors import HookError, Problem
 from rqt_mrta_py.hooks import Codec, Renderer
-from rqt_mrta_py.hooks.manager import PluginManager, load_plugins
+from rqt_mrta_py.hooks.loading import load_plugins
+from rqt_mrta_py.hooks.manager import PluginManager
 
 __all__ = ["Host", "compose", "registry_only"]
 

@@ -1,7 +1,8 @@
 """The contract between host and plugins: what a plugin may import besides ``model``.
 
 * ``specs``: every hook; ``hookimpl`` marks an implementation
-* ``manager``: loads plugins, calls them in a defined order; ``contract`` checks them when they are registered
+* ``manager``: calls plugins in a defined order; ``loading`` imports them, ``contract`` and ``answers`` check them,
+  ``patience`` interrupts them, ``trace`` writes their calls down; ``survey`` reads what they implement unimported
 * ``stream``: messages, subscriptions, the codec's Protocol
 * ``agent``, ``allocator``, ``behaviour``, ``evaluator``, ``navigator``: on the robot
 * ``world``, ``robot_model``, ``sensor``, ``link``: in simulation
@@ -50,7 +51,8 @@ from rqt_mrta_py.hooks.incident import (
     TaskStateChanged,
 )
 from rqt_mrta_py.hooks.link import Link, LinkFactory, LinkSetup
-from rqt_mrta_py.hooks.manager import PluginManager, load_plugin, load_plugins
+from rqt_mrta_py.hooks.loading import load_plugin, load_plugins
+from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.hooks.navigator import CostField, Navigator, PlannerFactory, PlannerSetup
 from rqt_mrta_py.hooks.observer import MessageObserverFactory, ObserverSetup
 from rqt_mrta_py.hooks.parameters import ParameterProblem

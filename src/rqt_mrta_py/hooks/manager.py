@@ -7,37 +7,41 @@ so that every answer and every failure can be told with the plugin's name.
 
 from __future__ import annotations
 
-import importlib
 import inspect
 import logging
-import sys
 from types import ModuleType
-from typing import Any, Callable, Dict, Iterable, List, Mapping, NamedTuple, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple
 
 import pluggy
 
-from rqt_mrta_py.config.registration import Registration, RegistrationKind, Registry
 from rqt_mrta_py.config.wording import accepted, shown
-from rqt_mrta_py.errors import HookError, Problem
+from rqt_mrta_py.errors import HookError
+from rqt_mrta_py.hooks.answers import registration_breach
 from rqt_mrta_py.hooks.contract import HOOKS, contract_breaches
 from rqt_mrta_py.hooks.parameters import ParameterProblem
-from rqt_mrta_py.hooks.robot_model import RobotModel
+from rqt_mrta_py.hooks.patience import OutOfPatienceError, Patience
 from rqt_mrta_py.hooks.specs import PROJECT, HookSpecs
+from rqt_mrta_py.hooks.trace import HookTrace
 
-__all__ = ["PluginManager", "load_plugin", "load_plugins"]
+__all__ = ["PluginManager"]
 
 _log = logging.getLogger("rqt_mrta_py.hooks")
 
-_REGISTERED_TYPES: Mapping[str, type] = {"mrta_register_robot_models": RobotModel}
-"""Hooks that register values of a type; all others register something to be called."""
-
 
 class _Implementation(NamedTuple):
-    """One plugin's function for one hook."""
+    """One plugin's function for one hook; ``who`` names both in messages."""
 
     plugin: str
     function: Callable[..., Any]
     arguments: Tuple[str, ...]
+    who: str
+
+
+class _Registered(NamedTuple):
+    """What all plugins register by one hook, and which plugin each name is from."""
+
+    values: Mapping[str, Any]
+    owners: Mapping[str, str]
 
 
 class _Pluggy(pluggy.PluginManager):
@@ -53,13 +57,26 @@ class _Pluggy(pluggy.PluginManager):
 class PluginManager:
     """Knows all plugins of one command.
 
-    Plugins are asked in the order of their registration. Of two plugins that register one name, the first wins.
+    Plugins are asked in the order of their registration; for what they register once, until another plugin comes.
+    Of two plugins that register one name, the first wins.
+
+    Args:
+        patience: how long a plugin may take to answer; by default a minute.
+        trace: writes each call down; None for none.
+
+    Attributes:
+        patience: as given.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, patience: Optional[Patience] = None, trace: Optional[HookTrace] = None) -> None:
+        self.patience = Patience() if patience is None else patience
+        self._trace = trace
         self._pluggy = _Pluggy(PROJECT)
         self._pluggy.add_hookspecs(HookSpecs)
         self._names: List[str] = []
+        self._implementations: Dict[str, List[_Implementation]] = {}
+        self._registered: Dict[str, _Registered] = {}
+        self._dismissed: Set[str] = set()
 
     @property
     def names(self) -> Tuple[str, ...]:
@@ -89,6 +106,9 @@ class PluginManager:
         except pluggy.PluginValidationError as error:
             raise HookError(f"plugin {name!r}: {error}") from error
         self._names.append(name)
+        self._implementations.clear()
+        self._registered.clear()
+        self.patience.know(plugin.__name__ if isinstance(plugin, ModuleType) else type(plugin).__module__)
         _log.debug("event=registered plugin=%s", name)
 
     def registered(self, hook: str) -> Dict[str, Any]:
@@ -104,27 +124,23 @@ class PluginManager:
         Raises:
             HookError: a plugin raised, or returned what the contract does not allow; names plugin and hook.
         """
-        self._expect(hook, "mrta_register_", {})
-        joined: Dict[str, Any] = {}
-        owners: Dict[str, str] = {}
-        for implementation in self._implementations(hook):
-            answer = _ask(implementation, hook, {})
-            if not isinstance(answer, Mapping):
-                raise _misfit(implementation, hook, f"returned {shown(answer)}; a mapping by name is needed")
-            for name, value in answer.items():
-                _check_registered(implementation, hook, name, value)
-                if name in joined:
-                    _log.warning(
-                        "event=collision hook=%s name=%s kept=%s dropped=%s",
-                        hook,
-                        name,
-                        owners[name],
-                        implementation.plugin,
-                    )
-                    continue
-                joined[name] = value
-                owners[name] = implementation.plugin
-        return joined
+        return dict(self._join(hook).values)
+
+    def owner(self, hook: str, name: str) -> str:
+        """Tell whose registration won a name.
+
+        Args:
+            hook: ``mrta_register_*``.
+            name: that is registered.
+
+        Returns:
+            The plugin's name.
+
+        Raises:
+            KeyError: nobody registers this name.
+            HookError: as ``registered`` does.
+        """
+        return self._join(hook).owners[name]
 
     def problems(self, hook: str, **arguments: Any) -> Tuple[ParameterProblem, ...]:
         """Join what all plugins find wrong.
@@ -141,38 +157,92 @@ class PluginManager:
         """
         self._expect(hook, "mrta_check_", arguments)
         found: List[ParameterProblem] = []
-        for implementation in self._implementations(hook):
-            answer = _ask(implementation, hook, arguments)
+        for implementation in self._asked(hook):
+            answer = self._ask(implementation, hook, arguments)
             if not isinstance(answer, Sequence) or isinstance(answer, (str, bytes)):
-                raise _misfit(implementation, hook, f"returned {shown(answer)}; a sequence of problems is needed")
+                raise _misfit(implementation, f"returned {shown(answer)}; a sequence of problems is needed")
             for problem in answer:
                 if not isinstance(problem, ParameterProblem):
-                    raise _misfit(implementation, hook, f"returned {shown(problem)}; a ParameterProblem is needed")
+                    raise _misfit(implementation, f"returned {shown(problem)}; a ParameterProblem is needed")
                 found.append(problem)
         return tuple(found)
 
     def notify(self, hook: str, **arguments: Any) -> None:
         """Tell all observers; one that raises is logged by name, the others are told all the same.
 
+        One that does not return in time is logged too, and this hook of it is not called again.
+
         Args:
             hook: ``mrta_on_*``.
             **arguments: exactly those of the hook.
         """
         self._expect(hook, "mrta_on_", arguments)
-        for implementation in self._implementations(hook):
+        for implementation in self._asked(hook):
+            if implementation.who in self._dismissed:
+                continue
             try:
-                _call(implementation, hook, arguments)
+                self._call(implementation, hook, arguments)
+            except OutOfPatienceError as error:
+                self._dismissed.add(implementation.who)
+                _log.error("event=observer_dismissed plugin=%s hook=%s: %s", implementation.plugin, hook, error)
             except Exception:  # noqa: BLE001 - an observer never stops what it observes
                 _log.exception("event=observer_failed plugin=%s hook=%s", implementation.plugin, hook)
 
-    def _implementations(self, hook: str) -> List[_Implementation]:
-        found = {
-            implementation.plugin_name: _Implementation(
-                implementation.plugin_name, implementation.function, tuple(implementation.argnames)
-            )
-            for implementation in getattr(self._pluggy.hook, hook).get_hookimpls()
-        }
-        return [found[name] for name in self._names if name in found]
+    def _join(self, hook: str) -> _Registered:
+        self._expect(hook, "mrta_register_", {})
+        if hook not in self._registered:
+            joined: Dict[str, Any] = {}
+            owners: Dict[str, str] = {}
+            for implementation in self._asked(hook):
+                for name, value in self._answered(implementation, hook).items():
+                    if name in joined:
+                        _log.warning(
+                            "event=collision hook=%s name=%s kept=%s dropped=%s",
+                            hook,
+                            name,
+                            owners[name],
+                            implementation.plugin,
+                        )
+                        continue
+                    joined[name] = value
+                    owners[name] = implementation.plugin
+            self._registered[hook] = _Registered(joined, owners)
+        return self._registered[hook]
+
+    def _answered(self, implementation: _Implementation, hook: str) -> Mapping[str, Any]:
+        answer = self._ask(implementation, hook, {})
+        if not isinstance(answer, Mapping):
+            raise _misfit(implementation, f"returned {shown(answer)}; a mapping by name is needed")
+        for name, value in answer.items():
+            breach = registration_breach(hook, name, value)
+            if breach is not None:
+                raise _misfit(implementation, breach)
+        return answer
+
+    def _ask(self, implementation: _Implementation, hook: str, arguments: Mapping[str, Any]) -> Any:
+        try:
+            return self._call(implementation, hook, arguments)
+        except OutOfPatienceError:
+            raise
+        except Exception as error:
+            raise _misfit(implementation, f"raised {type(error).__name__}: {error}") from error
+
+    def _call(self, implementation: _Implementation, hook: str, arguments: Mapping[str, Any]) -> Any:
+        given = [arguments[name] for name in implementation.arguments]
+        with self.patience.limit(implementation.who):
+            if self._trace is None:
+                return implementation.function(*given)
+            return self._trace.call(implementation.plugin, hook, implementation.function, *given)
+
+    def _asked(self, hook: str) -> List[_Implementation]:
+        if hook not in self._implementations:
+            found = {each.plugin_name: each for each in getattr(self._pluggy.hook, hook).get_hookimpls()}
+            self._implementations[hook] = [
+                _Implementation(name, found[name].function, tuple(found[name].argnames), f"plugin {name!r}: {hook}")
+                for name in self._names
+                if name in found
+            ]
+        return self._implementations[hook]
 
     def _expect(self, hook: str, role: str, arguments: Mapping[str, Any]) -> None:
         if hook not in HOOKS or not hook.startswith(role):
@@ -182,95 +252,5 @@ class PluginManager:
             raise TypeError(f"{hook}{HOOKS[hook]} was called with ({', '.join(arguments)})")
 
 
-def _call(implementation: _Implementation, hook: str, arguments: Mapping[str, Any]) -> Any:
-    _log.debug("event=call plugin=%s hook=%s", implementation.plugin, hook)
-    return implementation.function(*(arguments[name] for name in implementation.arguments))
-
-
-def _ask(implementation: _Implementation, hook: str, arguments: Mapping[str, Any]) -> Any:
-    try:
-        return _call(implementation, hook, arguments)
-    except Exception as error:
-        raise _misfit(implementation, hook, f"raised {type(error).__name__}: {error}") from error
-
-
-def _misfit(implementation: _Implementation, hook: str, message: str) -> HookError:
-    return HookError(f"plugin {implementation.plugin!r}: {hook} {message}")
-
-
-def _check_registered(implementation: _Implementation, hook: str, name: object, value: object) -> None:
-    if not isinstance(name, str) or not name:
-        raise _misfit(implementation, hook, f"registers under {shown(name)}; a name is needed")
-    wanted = _REGISTERED_TYPES.get(hook)
-    if wanted is None and not callable(value):
-        raise _misfit(implementation, hook, f"registers {name!r} as {shown(value)}; something callable is needed")
-    if wanted is not None and not isinstance(value, wanted):
-        raise _misfit(implementation, hook, f"registers {name!r} as {shown(value)}; a {wanted.__name__} is needed")
-
-
-def load_plugins(source: Union[Registry, Iterable[Registration]], manager: PluginManager) -> Tuple[Problem, ...]:
-    """Import and register plugins, in order; one that cannot be imported is left out and the others go on.
-
-    Args:
-        source: what was discovered; registrations that are no plugins are passed over.
-        manager: takes the plugins in, each under its module's name; one registered twice counts once.
-
-    Returns:
-        What could not be imported, one problem for each plugin. Whether one was needed is the caller's to know.
-
-    Raises:
-        HookError: a plugin does not keep the contract; a mistake of its author, told before anything is done.
-    """
-    registrations = source.registrations if isinstance(source, Registry) else source
-    failures = []
-    for registration in registrations:
-        if registration.kind is not RegistrationKind.PLUGIN or registration.plugin in manager.names:
-            continue
-        try:
-            plugin = _imported(registration)
-        except HookError as error:
-            _log.info("event=plugin_failed package=%s module=%s", registration.package, registration.plugin)
-            failures.append(Problem(str(registration.manifest), registration.line, "", str(error)))
-        else:
-            manager.register(plugin, registration.plugin)
-    return tuple(failures)
-
-
-def load_plugin(registration: Registration, manager: PluginManager) -> None:
-    """Import one plugin and register it.
-
-    Args:
-        registration: of kind PLUGIN.
-        manager: takes the plugin in.
-
-    Raises:
-        HookError: the module cannot be imported, naming package, module and cause; or it does not keep the contract.
-    """
-    manager.register(_imported(registration), registration.plugin)
-
-
-def _imported(registration: Registration) -> object:
-    module_name, _, attribute = registration.plugin.partition(":")
-    try:
-        plugin: object = _import(module_name, registration)
-        for part in attribute.split(".") if attribute else ():
-            plugin = getattr(plugin, part)
-    except (Exception, SystemExit) as error:
-        raise HookError(
-            f"package {registration.package!r}: plugin {registration.plugin!r} cannot be imported: "
-            f"{type(error).__name__}: {error}"
-        ) from error
-    return plugin
-
-
-def _import(module: str, registration: Registration) -> ModuleType:
-    try:
-        return importlib.import_module(module)
-    except ImportError:
-        source = registration.folder / "src"
-        if str(source) in sys.path or not source.is_dir():
-            raise
-    # A package that is neither installed nor sourced; behind everything that is.
-    sys.path.append(str(source))
-    importlib.invalidate_caches()
-    return importlib.import_module(module)
+def _misfit(implementation: _Implementation, message: str) -> HookError:
+    return HookError(f"{implementation.who} {message}")

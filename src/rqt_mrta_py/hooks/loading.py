@@ -1,0 +1,87 @@
+"""Importing plugins: from registrations to a plugin manager."""
+
+from __future__ import annotations
+
+import importlib
+import logging
+import sys
+from types import ModuleType
+from typing import Iterable, Tuple, Union
+
+from rqt_mrta_py.config.registration import Registration, RegistrationKind, Registry
+from rqt_mrta_py.errors import HookError, Problem
+from rqt_mrta_py.hooks.manager import PluginManager
+
+__all__ = ["load_plugin", "load_plugins"]
+
+_log = logging.getLogger("rqt_mrta_py.hooks")
+
+
+def load_plugins(source: Union[Registry, Iterable[Registration]], manager: PluginManager) -> Tuple[Problem, ...]:
+    """Import and register plugins, in order; one that cannot be imported is left out and the others go on.
+
+    Args:
+        source: what was discovered; registrations that are no plugins are passed over.
+        manager: takes the plugins in, each under its module's name; one registered twice counts once.
+
+    Returns:
+        What could not be imported, one problem for each plugin. Whether one was needed is the caller's to know.
+
+    Raises:
+        HookError: a plugin does not keep the contract; a mistake of its author, told before anything is done.
+    """
+    registrations = source.registrations if isinstance(source, Registry) else source
+    failures = []
+    for registration in registrations:
+        if registration.kind is not RegistrationKind.PLUGIN or registration.plugin in manager.names:
+            continue
+        try:
+            plugin = _imported(registration, manager)
+        except HookError as error:
+            _log.info("event=plugin_failed package=%s module=%s", registration.package, registration.plugin)
+            failures.append(Problem(str(registration.manifest), registration.line, "", str(error)))
+        else:
+            manager.register(plugin, registration.plugin)
+    return tuple(failures)
+
+
+def load_plugin(registration: Registration, manager: PluginManager) -> None:
+    """Import one plugin and register it.
+
+    Args:
+        registration: of kind PLUGIN.
+        manager: takes the plugin in.
+
+    Raises:
+        HookError: the module cannot be imported, naming package, module and cause; or it does not keep the contract.
+    """
+    manager.register(_imported(registration, manager), registration.plugin)
+
+
+def _imported(registration: Registration, manager: PluginManager) -> object:
+    module_name, _, attribute = registration.plugin.partition(":")
+    manager.patience.know(module_name)
+    try:
+        with manager.patience.limit("importing it"):
+            plugin: object = _import(module_name, registration)
+            for part in attribute.split(".") if attribute else ():
+                plugin = getattr(plugin, part)
+    except (Exception, SystemExit) as error:
+        raise HookError(
+            f"package {registration.package!r}: plugin {registration.plugin!r} cannot be imported: "
+            f"{type(error).__name__}: {error}"
+        ) from error
+    return plugin
+
+
+def _import(module: str, registration: Registration) -> ModuleType:
+    try:
+        return importlib.import_module(module)
+    except ImportError:
+        source = registration.folder / "src"
+        if str(source) in sys.path or not source.is_dir():
+            raise
+    # A package that is neither installed nor sourced; behind everything that is.
+    sys.path.append(str(source))
+    importlib.invalidate_caches()
+    return importlib.import_module(module)
