@@ -1,12 +1,15 @@
-"""tasks.yaml."""
+"""tasks.yaml, and one of its entries as a text of its own."""
 
 from __future__ import annotations
+
+import sys
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rqt_mrta_py.config import read_tasks
+from rqt_mrta_py.config import dump_task, read_task, read_tasks
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.model import Pose, Task
 
@@ -90,3 +93,84 @@ def test_tasks_are_refused_exactly_when_they_cannot_be_put_in_order(before: list
     else:
         with pytest.raises(ConfigError, match="go round in a circle"):
             read_tasks(text, "tasks.yaml")
+
+
+names = st.text(min_size=1, max_size=12).filter(lambda name: bool(name.strip()))
+ids = names.filter(lambda name: not any(character.isspace() for character in name))
+numbers = st.floats(allow_nan=False, allow_infinity=False)
+plain = st.recursive(
+    st.none() | st.booleans() | st.integers() | numbers | st.text(max_size=12),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=5), inner, max_size=3),
+    max_leaves=8,
+)
+entries = st.builds(
+    Task,
+    id=ids,
+    kind=names,
+    place=st.none() | st.builds(Pose, numbers, numbers, numbers),
+    capabilities=st.lists(names, max_size=2).map(tuple),
+    predecessors=st.just(()),
+    resources=st.lists(names, max_size=2).map(tuple),
+    robots=st.integers(1, sys.maxsize),
+    expected_duration=st.none() | st.floats(min_value=0.0, exclude_min=True, allow_infinity=False),
+    perpetual=st.booleans(),
+    data=st.dictionaries(st.text(max_size=5), plain, max_size=3),
+)
+
+
+@settings(deadline=None)
+@given(entries)
+def test_task_that_was_written_reads_as_the_same(task: Task) -> None:
+    assert read_task(dump_task(task), "task_yaml") == task
+
+
+@settings(deadline=None)
+@given(entries, st.lists(ids, max_size=3))
+def test_task_that_was_written_reads_as_the_same_with_its_predecessors(task: Task, others: list[str]) -> None:
+    after = Task(task.id, task.kind, predecessors=tuple(other for other in others if other != task.id))
+
+    assert read_task(dump_task(after), "task_yaml") == after
+
+
+@pytest.mark.parametrize("tricky", ["yes", "null", "1e3", "2026-01-01", "=", "<<", "~", "- a", "#", "a: b", "\u2028"])
+def test_text_that_yaml_would_take_for_something_else_stays_a_text(tricky: str) -> None:
+    task = Task("a", "go", data={tricky: [tricky]})
+
+    assert read_task(dump_task(task), "task_yaml") == task
+
+
+def test_task_is_written_as_a_person_would() -> None:
+    task = Task("dig", "dig_hole", Pose(1.0, -2.5), robots=2, data={"depth": 0.4, "tools": ["spade"]})
+
+    assert dump_task(task) == (
+        "id: dig\nkind: dig_hole\nplace:\n  x: 1.0\n  y: -2.5\nrobots: 2\ndata:\n  depth: 0.4\n  tools:\n  - spade\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "task_yaml:1: is empty; accepted: id, kind, place"),
+        ("[]", r"task_yaml:1: must be a mapping \(got \[\]\)"),
+        ("id: a", "task_yaml:1: kind: is missing; give a text"),
+        ("{id: a b, kind: go}", r"task_yaml:1: id: must be a name without spaces \(got 'a b'\)"),
+        ("{id: /, kind: go}", r"task_yaml:1: id: must be a name without spaces \(got '/'\)"),
+        ("{id: a, kind: go, predecessors: [b, /a]}", "task_yaml:1: predecessors: go round in a circle: a after a"),
+        ("{id: a, kind: go, robots: 0}", r"task_yaml:1: robots: must be a whole number from 1 \(got 0\)"),
+        ("{id: a, kind: go, expected_duration: .nan}", "task_yaml:1: holds .nan; numbers must be finite"),
+        ("{id: a, kind: go, sped: 1}", "task_yaml:1: sped: is not known"),
+        ("&a [*a]", "task_yaml:1: refers to 'a', which is not complete here"),
+        ("{id: a, kind: !!python/name:os.system go}", "tags are not accepted"),
+        ("id: {", "task_yaml:1: is not YAML"),
+    ],
+)
+def test_text_that_is_no_task_is_refused(text: str, message: str) -> None:
+    with pytest.raises(ConfigError, match=message):
+        read_task(text, "task_yaml")
+
+
+@settings(deadline=None)
+@given(st.binary(max_size=80) | st.text(max_size=80))
+def test_text_that_is_noise_is_refused(text: Any) -> None:
+    with pytest.raises(ConfigError, match="task_yaml"):
+        read_task(text, "task_yaml")

@@ -5,7 +5,7 @@
 * ``architecture``, ``application``: both flavours of rqt_mrta.xml; ``topics``, ``templates``, ``launches``,
   ``flavour`` and ``ids`` are their parts
 * ``yaml_text``, ``schema``: YAML text to values with lines, checked by tables that are also the documentation
-* ``tasks``, ``scenario``, ``scenario_form``, ``places``: the files with these tables
+* ``tasks``, ``task_text``, ``scenario``, ``scenario_form``, ``places``: the files with these tables
 * ``manifest``, ``registration``, ``discovery``, ``source``: package.xml to what is registered, and where
 * ``values``, ``layers``, ``array_sizes``, ``parameters``: templates and what is given to one robot's parameters;
   ``parameter_context`` says for whom, ``robot_parameters`` from which files, ``parameter_file`` writes them
@@ -26,6 +26,7 @@ from rqt_mrta_py.config.parameters import ResolvedParameters, locate_problems, r
 from rqt_mrta_py.config.registration import Registration, RegistrationKind, Registry
 from rqt_mrta_py.config.robot_parameters import ParameterChecks, Team, config_name, resolve_shared, resolve_team
 from rqt_mrta_py.config.scenario import read_scenario
+from rqt_mrta_py.config.task_text import dump_task, read_task
 from rqt_mrta_py.config.tasks import read_tasks
 from rqt_mrta_py.config.whole_file import write_whole
 
@@ -41,6 +42,7 @@ __all__ = [
     "config_name",
     "discover",
     "dump_parameters",
+    "dump_task",
     "load_mission",
     "load_observed",
     "locate_problems",
@@ -51,6 +53,7 @@ __all__ = [
     "read_architecture",
     "read_manifest",
     "read_scenario",
+    "read_task",
     "read_tasks",
     "resolve_parameters",
     "resolve_shared",
