@@ -75,6 +75,54 @@ def test_mission_is_rebuilt_equal_from_its_texts(yard: Callable[[], Registry]) -
     assert again == mission
 
 
+EVENTS = """events:
+- {time: 9, kind: task_appears, task: dig}
+- {time: 5, kind: task_appears, task: rest}
+- {time: 20, kind: task_withdrawn, task: fill}
+"""
+
+
+def test_mission_keeps_tasks_that_appear_later_apart_in_file_order(yard: Callable[[], Registry], write: Write) -> None:
+    write("ws/yard/scenario.yaml", SCENARIO + EVENTS)
+    asked: List[Tuple[str, List[str]]] = []
+
+    class Checks:
+        def problems(self, hook: str, **arguments: Any) -> Sequence[Tuple[str, str]]:
+            asked.append((arguments["robot_id"], [task.id for task in arguments["tasks"]]))
+            return []
+
+    mission = load_mission(yard(), "yard", manager=Checks())
+
+    assert [task.id for task in mission.tasks] == ["fill"]
+    assert [task.id for task in mission.later_tasks] == ["dig", "rest"]
+    assert [task.id for task in mission.later_tasks_of("r1")] == ["dig"]
+    assert asked == [("r1", ["fill", "dig"]), ("r2", ["fill", "dig", "rest"])]
+    assert mission.texts is not None
+    assert mission_from_texts(mission.texts, "yard", "auction", dump_parameters(mission.parameters), 0) == mission
+
+
+def test_mission_says_where_an_event_happens_to_a_task_that_nobody_lists(
+    yard: Callable[[], Registry], write: Write, tmp_path: Path
+) -> None:
+    write("ws/yard/scenario.yaml", SCENARIO + "events:\n- {time: 9, kind: task_appears, task: digg}\n")
+
+    assert said(lambda: load_mission(yard(), "yard")) == [
+        f"{tmp_path}/ws/yard/scenario.yaml:6: events[0]/task: 'digg' is no task of the application; nearest is 'dig'"
+    ]
+
+
+def test_mission_checks_events_of_tasks_against_the_application_where_there_is_no_tasks_file(
+    yard: Callable[[], Registry], write: Write
+) -> None:
+    files = 'application="${prefix}/rqt_mrta.xml" scenario="${prefix}/scenario.yaml"'
+    write("ws/yard/package.xml", MANIFEST.format("yard", files))
+    write("ws/yard/scenario.yaml", SCENARIO + "events:\n- {time: 9, kind: task_appears, task: fill}\n")
+
+    mission = load_mission(yard(), "yard")
+
+    assert (mission.tasks, mission.later_tasks) == ((Task("dig", "dig"),), (Task("fill", "fill"),))
+
+
 def test_mission_from_texts_wants_parameters_by_robot(yard: Callable[[], Registry]) -> None:
     texts = load_mission(yard(), "yard").texts
     assert texts is not None

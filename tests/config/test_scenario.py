@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import List
+
 import pytest
 
 from rqt_mrta_py.config import read_scenario
+from rqt_mrta_py.config.event_form import EVENT
 from rqt_mrta_py.config.scenario_form import SCENARIO_FILE
 from rqt_mrta_py.config.schema import Key, Table, ValueType
 from rqt_mrta_py.config.tasks import TASKS_FILE
@@ -13,6 +16,7 @@ from rqt_mrta_py.model import (
     Arena,
     Obstacle,
     Pose,
+    RadioSetup,
     RobotSetup,
     ScenarioEvent,
     ScenarioEventKind,
@@ -36,12 +40,16 @@ def test_scenario_that_says_the_least_takes_defaults() -> None:
         duration=60.0,
         control_rate=20,
         picture_period=1.0,
+        radio=RadioSetup("perfect"),
+        planner="astar",
     )
 
 
 def test_scenario_is_read_whole() -> None:
     text = """
 world: planar
+planner: theta_star
+radio: {kind: lossy, loss: 0.1}
 duration: 12.5
 control_rate: 10
 picture_period: 0
@@ -57,7 +65,7 @@ robots:
   - {id: r2, start: {x: 3.5, y: 1.5}, model: crawler, sensors: [], capabilities: [lift]}
 events:
   - {time: 9, kind: robot_returns, robot: r1}
-  - {time: 3, kind: robot_stops, robot: /r1, parameters: {how: 1}}
+  - {time: 3, kind: robot_stops, robot: /r1}
   - {time: 3, kind: robot_stops, robot: r2}
 """
 
@@ -74,7 +82,7 @@ events:
             RobotSetup("r2", "crawler", Pose(3.5, 1.5), (), ("lift",)),
         ),
         events=(
-            ScenarioEvent(3.0, stops, "r1", None, {"how": 1}),
+            ScenarioEvent(3.0, stops, "r1"),
             ScenarioEvent(3.0, stops, "r2"),
             ScenarioEvent(9.0, ScenarioEventKind.ROBOT_RETURNS, "r1"),
         ),
@@ -82,6 +90,8 @@ events:
         duration=12.5,
         control_rate=10,
         picture_period=0.0,
+        radio=RadioSetup("lossy", {"loss": 0.1}),
+        planner="theta_star",
     )
 
 
@@ -95,15 +105,186 @@ def test_scenario_has_the_robots_of_the_application() -> None:
     )
 
 
+EVERY_KIND = """
+arena: {min_x: -3, min_y: -3, max_x: 3, max_y: 3}
+robots:
+  - {id: r1, start: {x: 0, y: 0}}
+  - {id: r2, start: {x: 1, y: 0}}
+events:
+  - {time: 1, kind: robot_stops, robot: r1}
+  - {time: 2, kind: robot_returns, robot: r1}
+  - {time: 3, kind: robot_sticks, robot: r1}
+  - {time: 4, kind: robot_comes_free, robot: r1}
+  - {time: 5, kind: robot_slows, robot: r1, parameters: {factor: 0.5}}
+  - {time: 6, kind: robot_clock_shifts, robot: r1, parameters: {offset: -2}}
+  - {time: 7, kind: radio_fails, robot: r1}
+  - {time: 8, kind: radio_returns, robot: r1}
+  - {time: 9, kind: radio_partitions, parameters: {groups: [[/r1], [r2]]}}
+  - {time: 10, kind: radio_heals}
+  - {time: 11, kind: radio_changes, parameters: {kind: lossy, loss: 0.2}}
+  - {time: 12, kind: task_appears, task: dig}
+  - {time: 13, kind: task_reassigned, task: /dig, robot: r2}
+  - {time: 14, kind: task_withdrawn, task: dig}
+"""
+
+
+def test_event_of_every_kind_is_read() -> None:
+    kind = ScenarioEventKind
+    assert read_scenario(EVERY_KIND, "s.yaml", ["r1", "r2"], ["dig", "fill"]).events == (
+        ScenarioEvent(1.0, kind.ROBOT_STOPS, "r1"),
+        ScenarioEvent(2.0, kind.ROBOT_RETURNS, "r1"),
+        ScenarioEvent(3.0, kind.ROBOT_STICKS, "r1"),
+        ScenarioEvent(4.0, kind.ROBOT_COMES_FREE, "r1"),
+        ScenarioEvent(5.0, kind.ROBOT_SLOWS, "r1", None, {"factor": 0.5}),
+        ScenarioEvent(6.0, kind.ROBOT_CLOCK_SHIFTS, "r1", None, {"offset": -2.0}),
+        ScenarioEvent(7.0, kind.RADIO_FAILS, "r1"),
+        ScenarioEvent(8.0, kind.RADIO_RETURNS, "r1"),
+        ScenarioEvent(9.0, kind.RADIO_PARTITIONS, None, None, {"groups": [["r1"], ["r2"]]}),
+        ScenarioEvent(10.0, kind.RADIO_HEALS),
+        ScenarioEvent(11.0, kind.RADIO_CHANGES, None, None, {"kind": "lossy", "loss": 0.2}),
+        ScenarioEvent(12.0, kind.TASK_APPEARS, None, "dig"),
+        ScenarioEvent(13.0, kind.TASK_REASSIGNED, "r2", "dig"),
+        ScenarioEvent(14.0, kind.TASK_WITHDRAWN, None, "dig"),
+    )
+
+
+def test_every_kind_of_event_has_a_form() -> None:
+    assert set(EVENT.variants) == {kind.value for kind in ScenarioEventKind}
+
+
+def said(events: str) -> List[str]:
+    head = EVERY_KIND[: EVERY_KIND.index("events:")].lstrip("\n")
+    with pytest.raises(ConfigError) as caught:
+        read_scenario(f"{head}events:\n{events}", "s", ["r1", "r2"], ["dig", "fill"])
+    return [str(problem) for problem in caught.value.problems]
+
+
+@pytest.mark.parametrize(
+    ("event", "message"),
+    [
+        (
+            "{time: 1, kind: robot_slows, robot: r1}",
+            "parameters: is missing; give a mapping of known keys (factor)",
+        ),
+        (
+            "{time: 1, kind: robot_slows, robot: r1, parameters: {factor: 1.5}}",
+            "parameters/factor: must be a number from 0 to 1 (got 1.5)",
+        ),
+        (
+            "{time: 1, kind: robot_slows, robot: r1, parameters: {factor: half}}",
+            "parameters/factor: must be a number from 0 to 1 (got 'half'); YAML takes this for a text: no quotes, and "
+            "a dot before an exponent, such as 1.0e-3",
+        ),
+        (
+            "{time: 1, kind: robot_slows, robot: r1, parameters: {factor: 0.5, unit: m}}",
+            "parameters/unit: is not known; accepted: factor",
+        ),
+        (
+            "{time: 1, kind: robot_clock_shifts, robot: r1, parameters: {offset: 1.0e+300}}",
+            "parameters/offset: must be a number from -1e+06 to 1e+06 s (got 1e+300)",
+        ),
+        (
+            "{time: 1, kind: robot_clock_shifts, robot: r1, parameters: {ofset: 1}}",
+            "parameters/offset: is missing; give a number from -1e+06 to 1e+06 s",
+        ),
+        (
+            "{time: 1, kind: radio_partitions, parameters: {groups: [r1, r2]}}",
+            "parameters/groups: must be a list of lists of texts (got ['r1', 'r2'])",
+        ),
+        (
+            "{time: 1, kind: radio_partitions, parameters: {groups: [[r1, r22]]}}",
+            "parameters/groups: 'r22' is no robot of the scenario; nearest is 'r2'",
+        ),
+        (
+            "{time: 1, kind: radio_partitions, robot: r1, parameters: {groups: []}}",
+            "robot: does not go with kind radio_partitions; accepted: time, kind, parameters",
+        ),
+        ("{time: 1, kind: radio_changes, parameters: {loss: 0.5}}", "parameters/kind: is missing; give a text"),
+        (
+            "{time: 1, kind: robot_stops, robot: r1, task: dig}",
+            "task: does not go with kind robot_stops; accepted: time, kind, robot",
+        ),
+        ("{time: 1, kind: task_appears}", "task: is missing; give a text"),
+        ("{time: 1, kind: task_appears, task: dog}", "task: 'dog' is no task of the application; nearest is 'dig'"),
+        ("{time: 1, kind: task_reassigned, task: dig}", "robot: is missing; give a text"),
+        (
+            "{time: 1, kind: task_reassigned, task: dig, robot: r22}",
+            "robot: 'r22' is no robot of the scenario; nearest is 'r2'",
+        ),
+        ("{kind: radio_heals, robt: r1}", "robt: is not known; accepted: time, kind"),
+        (
+            "{time: 1, kind: robot_returns, robot: r1}",
+            "kind: r1 is not stopped then; let it stop before, once for each return",
+        ),
+        (
+            "{time: 1, kind: robot_comes_free, robot: r1}",
+            "kind: r1 is not stuck then; let it stick before, once for each coming free",
+        ),
+        (
+            "{time: 1, kind: radio_returns, robot: r2}",
+            "kind: the radio of r2 works then; let it fail before, once for each return",
+        ),
+        ("{time: 1, kind: radio_heals}", "kind: the radio is not partitioned then; let it be partitioned before"),
+    ],
+)
+def test_event_that_cannot_happen_is_refused(event: str, message: str) -> None:
+    problems = said(f"  - {event}\n")
+    assert f"s:6: events[0]/{message}" in problems
+
+
+def test_events_are_checked_in_the_order_of_time() -> None:
+    assert said(
+        """
+  - {time: 9, kind: robot_stops, robot: r1}
+  - {time: 5, kind: robot_returns, robot: r1}
+  - {time: 3, kind: robot_stops, robot: r2}
+  - {time: 5, kind: robot_returns, robot: r2}
+  - {time: 5, kind: robot_returns, robot: r2}
+  - {time: 7, kind: robot_comes_free, robot: r2}
+  - {time: 1, kind: radio_partitions, parameters: {groups: [[r1]]}}
+  - {time: 2, kind: radio_partitions, parameters: {groups: [[r2]]}}
+  - {time: 3, kind: radio_heals}
+  - {time: 4, kind: radio_heals}
+"""
+    ) == [
+        "s:8: events[1]/kind: r1 is not stopped then; let it stop before, once for each return",
+        "s:11: events[4]/kind: r2 is not stopped then; let it stop before, once for each return",
+        "s:12: events[5]/kind: r2 is not stuck then; let it stick before, once for each coming free",
+        "s:16: events[9]/kind: the radio is not partitioned then; let it be partitioned before",
+    ]
+
+
+def test_task_is_there_from_its_appearance_until_it_is_withdrawn() -> None:
+    assert said(
+        """
+  - {time: 2, kind: task_withdrawn, task: dig}
+  - {time: 3, kind: task_reassigned, task: dig, robot: r1}
+  - {time: 4, kind: task_appears, task: dig}
+  - {time: 5, kind: task_appears, task: dig}
+  - {time: 6, kind: task_withdrawn, task: dig}
+  - {time: 7, kind: task_withdrawn, task: dig}
+  - {time: 7, kind: task_appears, task: dig}
+  - {time: 8, kind: task_reassigned, task: dig, robot: r1}
+  - {time: 8, kind: task_reassigned, task: fill, robot: r1}
+"""
+    ) == [
+        "s:7: events[0]/task: 'dig' is not there before it appears at 4 s",
+        "s:8: events[1]/task: 'dig' is not there before it appears at 4 s",
+        "s:10: events[3]/task: 'dig' is there already; let it be withdrawn before it appears again",
+        "s:12: events[5]/task: 'dig' was withdrawn at 6 s; let it appear again before",
+    ]
+
+
 def tables(table: Table) -> list[Table]:
     inner = [key.table for key in table.keys if key.table is not None]
-    return [table, *(found for child in inner for found in tables(child))]
+    return [table, *(found for child in (*inner, *table.variants.values()) for found in tables(child))]
 
 
 @pytest.mark.parametrize("table", [*tables(SCENARIO_FILE), *tables(TASKS_FILE)], ids=lambda table: table.name)
 def test_form_documents_every_key_with_a_sentence_and_every_number_with_a_unit(table: Table) -> None:
     def complete(key: Key) -> bool:
-        return key.summary.endswith(".") and (bool(key.unit) or key.type is not ValueType.NUMBER)
+        is_ratio = (key.minimum, key.maximum) == (0, 1)
+        return key.summary.endswith(".") and (bool(key.unit) or is_ratio or key.type is not ValueType.NUMBER)
 
     assert table.summary.endswith(".")
     assert [key.name for key in table.keys if not complete(key)] == []

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, TypeVar
+from typing import Callable, Dict, List, Optional, Sequence, Tuple, TypeVar
 
 from rqt_mrta_py.config.application import ApplicationFile, read_application_file
 from rqt_mrta_py.config.architecture import read_architecture
@@ -16,13 +16,11 @@ from rqt_mrta_py.config.tasks import read_tasks
 from rqt_mrta_py.config.wording import accepted, shown
 from rqt_mrta_py.config.xml_text import decode_xml
 from rqt_mrta_py.errors import ConfigError, Problem
-from rqt_mrta_py.model import ApplicationSpec, Mission, MissionTexts, ScenarioSpec, Task
+from rqt_mrta_py.model import ApplicationSpec, Mission, MissionTexts, ScenarioEventKind, ScenarioSpec, Task
 
 __all__ = ["load_mission", "load_observed", "mission_from_texts"]
 
-_A = TypeVar("_A")
-_B = TypeVar("_B")
-_C = TypeVar("_C")
+_T = TypeVar("_T")
 
 
 def load_mission(
@@ -57,15 +55,17 @@ def load_mission(
     other = find_source(registry, named, RegistrationKind.ARCHITECTURE)
     other_raw = read_file(other.file)
     tasks_yaml, scenario_yaml = (_text(path) for path in (source.tasks, source.scenario))
-    spec, tasks, scenario = _all_of(
-        lambda: read_architecture(other_raw, str(other.file), other.package),
-        lambda: _tasks(file, str(source.file), tasks_yaml, str(source.tasks or "")),
-        lambda: _scenario(file, scenario_yaml, str(source.scenario or "")),
-    )
+    problems: List[Problem] = []
+    spec = _attempt(problems, lambda: read_architecture(other_raw, str(other.file), other.package))
+    tasks = _attempt(problems, lambda: _tasks(file, str(source.file), tasks_yaml, str(source.tasks or "")))
+    scenario = _attempt(problems, lambda: _scenario(file, tasks, scenario_yaml, str(source.scenario or "")))
+    if spec is None or tasks is None or problems:
+        raise ConfigError(problems)
     team = Team(file.spec, source.file, spec, other.file, tasks)
     parameters = {robot: found.values for robot, found in resolve_team(team, overrides, manager).items()}
     texts = MissionTexts(decode_xml(raw), decode_xml(other_raw), tasks_yaml or "", scenario_yaml or "")
-    return Mission(file.spec, spec, tasks, parameters, scenario, seed, texts)
+    first, later = _by_appearance(tasks, scenario)
+    return Mission(file.spec, spec, first, parameters, scenario, seed, texts, later)
 
 
 def load_observed(registry: Registry, architecture: str) -> Mission:
@@ -112,12 +112,16 @@ def mission_from_texts(
         if not isinstance(values, dict):
             message = f"must be a mapping (got {shown(values)}); parameters stand by robot"
             raise ConfigError([Problem("parameters_yaml", 0, robot, message)])
-    spec, tasks, scenario = _all_of(
-        lambda: read_architecture(texts.architecture_xml, "architecture_xml", architecture_package),
-        lambda: _tasks(file, "application_xml", texts.tasks_yaml or None, "tasks_yaml"),
-        lambda: _scenario(file, texts.scenario_yaml or None, "scenario_yaml"),
+    problems: List[Problem] = []
+    spec = _attempt(
+        problems, lambda: read_architecture(texts.architecture_xml, "architecture_xml", architecture_package)
     )
-    return Mission(file.spec, spec, tasks, parameters, scenario, seed, texts)
+    tasks = _attempt(problems, lambda: _tasks(file, "application_xml", texts.tasks_yaml or None, "tasks_yaml"))
+    scenario = _attempt(problems, lambda: _scenario(file, tasks, texts.scenario_yaml or None, "scenario_yaml"))
+    if spec is None or tasks is None or problems:
+        raise ConfigError(problems)
+    first, later = _by_appearance(tasks, scenario)
+    return Mission(file.spec, spec, first, parameters, scenario, seed, texts, later)
 
 
 def _expect_robots(spec: ApplicationSpec, source: Source) -> None:
@@ -167,19 +171,29 @@ def _tasks(file: ApplicationFile, path: str, text: Optional[str], tasks_path: st
     return tasks
 
 
-def _scenario(file: ApplicationFile, text: Optional[str], path: str) -> Optional[ScenarioSpec]:
-    return None if text is None else read_scenario(text, path, [robot.id for robot in file.spec.robots])
+def _scenario(
+    file: ApplicationFile, tasks: Optional[Sequence[Task]], text: Optional[str], path: str
+) -> Optional[ScenarioSpec]:
+    if text is None:
+        return None
+    robots = [robot.id for robot in file.spec.robots]
+    return read_scenario(text, path, robots, None if tasks is None else [task.id for task in tasks])
 
 
-def _all_of(first: Callable[[], _A], second: Callable[[], _B], third: Callable[[], _C]) -> Tuple[_A, _B, _C]:
-    """Take three steps and raise the problems of all of them together."""
-    problems: List[Problem] = []
-    results: List[Any] = []
-    for step in (first, second, third):
-        try:
-            results.append(step())
-        except ConfigError as error:
-            problems.extend(error.problems)
-    if problems:
-        raise ConfigError(problems)
-    return results[0], results[1], results[2]
+def _by_appearance(
+    tasks: Tuple[Task, ...], scenario: Optional[ScenarioSpec]
+) -> Tuple[Tuple[Task, ...], Tuple[Task, ...]]:
+    """Part tasks that are there from the start from those that an event lets appear, each in file order."""
+    events = scenario.events if scenario is not None else ()
+    appearing = {event.task for event in events if event.kind is ScenarioEventKind.TASK_APPEARS}
+    first = tuple(task for task in tasks if task.id not in appearing)
+    return first, tuple(task for task in tasks if task.id in appearing)
+
+
+def _attempt(problems: List[Problem], step: Callable[[], _T]) -> Optional[_T]:
+    """Take a step; note the problems of one that fails, so that those of all steps are told together."""
+    try:
+        return step()
+    except ConfigError as error:
+        problems.extend(error.problems)
+        return None

@@ -6,6 +6,7 @@ from typing import Any, Dict, List, Optional, Sequence, Union
 
 from rqt_mrta_py.config.places import PLACE, pose_of
 from rqt_mrta_py.config.problems import Problems
+from rqt_mrta_py.config.scenario_events import read_events
 from rqt_mrta_py.config.scenario_form import SCENARIO_FILE
 from rqt_mrta_py.config.schema import Row, read_document
 from rqt_mrta_py.config.wording import accepted, shown
@@ -14,9 +15,8 @@ from rqt_mrta_py.model import (
     Arena,
     Obstacle,
     Pose,
+    RadioSetup,
     RobotSetup,
-    ScenarioEvent,
-    ScenarioEventKind,
     ScenarioSpec,
     SensorSetup,
     is_legal_name,
@@ -26,13 +26,19 @@ from rqt_mrta_py.model import (
 __all__ = ["read_scenario"]
 
 
-def read_scenario(text: Union[str, bytes], path: str, robots: Optional[Sequence[str]] = None) -> ScenarioSpec:
+def read_scenario(
+    text: Union[str, bytes],
+    path: str,
+    robots: Optional[Sequence[str]] = None,
+    tasks: Optional[Sequence[str]] = None,
+) -> ScenarioSpec:
     """Read what is simulated.
 
     Args:
         text: the whole file.
         path: by which problems name the file.
         robots: ids of the application's robots, which must be those of the scenario; None: not checked.
+        tasks: ids of the application's tasks, to which alone something may happen; None: not checked.
 
     Raises:
         ConfigError: with everything that is wrong, sorted by line.
@@ -52,20 +58,20 @@ def read_scenario(text: Union[str, bytes], path: str, robots: Optional[Sequence[
         _check_obstacle(row, problems)
     for row in [*([defaults] if defaults is not None else []), *robot_rows]:
         _check_sensors(row, problems)
-    for row in event_rows:
-        _check_event(row, list(names), problems)
+    events = read_events(event_rows, list(names), tasks, problems)
     problems.raise_if_any()
     arena: Dict[str, float] = root.values["arena"].values
-    events = [_event(row) for row in event_rows]
     return ScenarioSpec(
         arena=Arena(**arena),
         obstacles=tuple(_obstacle(row) for row in obstacle_rows),
         robots=tuple(_robot(row, defaults) for row in robot_rows),
-        events=tuple(sorted(events, key=lambda event: event.time)),
+        events=tuple(events),
         world=root.values["world"],
         duration=root.values["duration"],
         control_rate=root.values["control_rate"],
         picture_period=root.values["picture_period"],
+        radio=_radio(root.values["radio"]),
+        planner=root.values["planner"],
     )
 
 
@@ -125,14 +131,6 @@ def _check_sensors(row: Row, problems: Problems) -> None:
             problems.add(*sensor.at("topic"), f"must be a name that ROS accepts (got {shown(topic)}), such as scan")
 
 
-def _check_event(row: Row, robots: Sequence[str], problems: Problems) -> None:
-    robot, kind = row.values["robot"], row.values["kind"]
-    if robot is not None and normalise_id(robot) not in robots:
-        problems.add(*row.at("robot"), f"{robot!r} is no robot of the scenario; {accepted(robot, robots)}")
-    if robot is None and "robot" not in row.given and kind is not None:
-        problems.add(*row.at("robot"), f"is missing; {kind} happens to a robot: give its id")
-
-
 def _obstacle(row: Row) -> Obstacle:
     values = row.values
     length, width, height = values["size"]
@@ -160,7 +158,5 @@ def _sensor(row: Row) -> SensorSetup:
     return SensorSetup(row.values["kind"], row.values["topic"], row.values["rate"], row.further)
 
 
-def _event(row: Row) -> ScenarioEvent:
-    robot, task = (None if row.values[key] is None else normalise_id(row.values[key]) for key in ("robot", "task"))
-    kind = ScenarioEventKind(row.values["kind"])
-    return ScenarioEvent(row.values["time"], kind, robot, task, dict(row.values["parameters"]))
+def _radio(row: Optional[Row]) -> RadioSetup:
+    return RadioSetup() if row is None else RadioSetup(row.values["kind"], row.further)

@@ -9,11 +9,11 @@ A minimal one is short::
 
 from __future__ import annotations
 
+from rqt_mrta_py.config.event_form import EVENT, RADIO
 from rqt_mrta_py.config.places import PLACE
 from rqt_mrta_py.config.schema import Key, Table, ValueType
-from rqt_mrta_py.model import ScenarioEventKind
 
-__all__ = ["ARENA", "EVENT", "OBSTACLE", "ROBOT", "ROBOT_DEFAULTS", "SCENARIO_FILE", "SENSOR"]
+__all__ = ["ARENA", "OBSTACLE", "ROBOT", "ROBOT_DEFAULTS", "SCENARIO_FILE", "SENSOR"]
 
 ARENA = Table(
     "arena",
@@ -69,18 +69,6 @@ ROBOT = Table(
     ),
 )
 
-EVENT = Table(
-    "event",
-    "Something that happens at a given time, on purpose.",
-    (
-        Key("time", ValueType.NUMBER, "Mission time at which it happens.", "s", minimum=0),
-        Key("kind", ValueType.TEXT, "What happens.", choices=tuple(kind.value for kind in ScenarioEventKind)),
-        Key("robot", ValueType.TEXT, "Whom it happens to.", default=None),
-        Key("task", ValueType.TEXT, "Which task it happens to.", default=None),
-        Key("parameters", ValueType.FREE, "How strongly, how far, to whom.", default={}),
-    ),
-)
-
 SCENARIO_FILE = Table(
     "scenario.yaml",
     "Everything that is simulated in one application.",
@@ -95,6 +83,13 @@ SCENARIO_FILE = Table(
         Key("obstacles", ValueType.TABLES, "Fixed bodies on the floor.", default=(), table=OBSTACLE),
         Key("robot_defaults", ValueType.TABLE, "What robots have in common.", default=None, table=ROBOT_DEFAULTS),
         Key("robots", ValueType.TABLES, "The robots of the application.", table=ROBOT),
+        Key("radio", ValueType.TABLE, "The radio between robots; perfect if not given.", default=None, table=RADIO),
+        Key(
+            "planner",
+            ValueType.TEXT,
+            "Name under which is registered what robots find their ways with.",
+            default="astar",
+        ),
         Key("events", ValueType.TABLES, "What happens on the way.", default=(), table=EVENT),
     ),
 )

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, field
 from enum import Enum
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.wording import accepted, shown
@@ -22,6 +23,7 @@ class ValueType(Enum):
     SWITCH = "true or false"
     TEXTS = "a list of texts"
     NUMBERS = "a list of numbers"
+    GROUPS = "a list of lists of texts"
     FREE = "a mapping"
     TABLE = "a mapping of known keys"
     TABLES = "a list of mappings"
@@ -74,12 +76,16 @@ class Table:
         summary: one sentence.
         keys: in the order of the documentation.
         further: True if further keys are accepted, as parameters of whatever the mapping names.
+        by: the key whose value decides which keys follow; empty if none does.
+        variants: the keys that follow, by that value.
     """
 
     name: str
     summary: str
     keys: Tuple[Key, ...]
     further: bool = False
+    by: str = ""
+    variants: Mapping[str, Table] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -93,6 +99,7 @@ class Row:
         further: what further keys hold, as nested builtins.
         line: where the mapping begins.
         element: by which problems name it.
+        is_sound: True if nothing in it is wrong by its table.
     """
 
     values: Dict[str, Any]
@@ -101,6 +108,7 @@ class Row:
     further: Dict[str, Any]
     line: int
     element: str
+    is_sound: bool = False
 
     def at(self, key: str) -> Tuple[int, str]:
         """Give line and element of a key, for a problem."""
@@ -117,7 +125,7 @@ def read_document(node: Optional[YamlNode], table: Table, problems: Problems) ->
     """
     if node is None:
         problems.add(1, "", f"is empty; {_keys(table)}")
-        return _nothing(table, 1, "")
+        return _nothing(table.keys, 1, "")
     return read_table(node, table, "", problems)
 
 
@@ -132,9 +140,11 @@ def read_table(node: YamlNode, table: Table, element: str, problems: Problems) -
     """
     if not isinstance(node.value, dict):
         problems.add(node.line, element, f"must be a mapping (got {shown(node.plain())}); {_keys(table)}")
-        return _nothing(table, node.line, element)
-    known = {key.name: key for key in table.keys}
-    row = _nothing(table, node.line, element)
+        return _nothing(table.keys, node.line, element)
+    before = len(problems)
+    keys, strange = _keys_of(node, table)
+    known = {key.name: key for key in keys}
+    row = _nothing(keys, node.line, element)
     row.lines.update(node.lines)
     given = []
     for name, child in node.value.items():
@@ -144,13 +154,25 @@ def read_table(node: YamlNode, table: Table, element: str, problems: Problems) -
                 given.append(name)
         elif table.further:
             row.further[name] = child.plain()
-        else:
+        elif name not in strange:
             problems.add(node.lines[name], _join(element, name), f"is not known; {accepted(name, known)}")
-    for key in table.keys:
+        elif strange[name]:
+            problems.add(node.lines[name], _join(element, name), f"{strange[name]}; accepted: {', '.join(known)}")
+    for key in keys:
         if key.default is REQUIRED and key.name not in given:
             line = node.lines.get(key.name, node.line)
             problems.add(line, _join(element, key.name), f"is missing; give {_wanted(key)}")
-    return Row(row.values, row.lines, tuple(given), row.further, node.line, element)
+    return Row(row.values, row.lines, tuple(given), row.further, node.line, element, len(problems) == before)
+
+
+def _keys_of(node: YamlNode, table: Table) -> Tuple[Tuple[Key, ...], Mapping[str, str]]:
+    """Give the keys that a mapping may have, and what to say of other variants' keys: nothing, if any may be meant."""
+    value = node.value[table.by].value if isinstance(node.value, dict) and table.by in node.value else None
+    variant = table.variants.get(value) if isinstance(value, str) else None
+    keys = (*table.keys, *(variant.keys if variant is not None else ()))
+    message = "" if variant is None else f"does not go with {table.by} {value}"
+    others = [key.name for other in table.variants.values() for key in other.keys]
+    return keys, {name: message for name in others if all(name != key.name for key in keys)}
 
 
 def _read_value(node: YamlNode, key: Key, element: str, problems: Problems) -> Any:
@@ -169,6 +191,10 @@ def _read_value(node: YamlNode, key: Key, element: str, problems: Problems) -> A
             values = [_scalar(child, key) for child in node.value]
             if None not in values:
                 return tuple(values)
+    elif key.type is ValueType.GROUPS:
+        groups = _groups(node, key)
+        if groups is not None:
+            return groups
     else:
         value = _scalar(node, key)
         if value is not None:
@@ -177,12 +203,25 @@ def _read_value(node: YamlNode, key: Key, element: str, problems: Problems) -> A
     return None
 
 
+def _groups(node: YamlNode, key: Key) -> Optional[Tuple[Tuple[str, ...], ...]]:
+    """Give lists of texts; None if one of them is something else."""
+    if not isinstance(node.value, tuple):
+        return None
+    groups: List[Tuple[str, ...]] = []
+    for group in node.value:
+        names = [_scalar(child, key) for child in group.value] if isinstance(group.value, tuple) else [None]
+        if None in names:
+            return None
+        groups.append(tuple(names))
+    return tuple(groups)
+
+
 def _scalar(node: YamlNode, key: Key) -> Any:
     """Give a scalar in the type of the key; None if it does not fit."""
     value = node.value
     if key.type is ValueType.SWITCH:
         return value if isinstance(value, bool) else None
-    if key.type in (ValueType.TEXT, ValueType.TEXTS):
+    if key.type in (ValueType.TEXT, ValueType.TEXTS, ValueType.GROUPS):
         fits = isinstance(value, str) and value.strip() and (not key.choices or value in key.choices)
         return value if fits else None
     if isinstance(value, bool) or not isinstance(value, (int, float)):
@@ -194,7 +233,8 @@ def _scalar(node: YamlNode, key: Key) -> Any:
     except OverflowError:
         return None
     if (
-        (key.minimum is not None and number < key.minimum)
+        not math.isfinite(number)
+        or (key.minimum is not None and number < key.minimum)
         or (key.maximum is not None and number > key.maximum)
         or (key.above is not None and number <= key.above)
     ):
@@ -235,8 +275,8 @@ def _keys(table: Table) -> str:
     return f"accepted: {', '.join(key.name for key in table.keys)}"
 
 
-def _nothing(table: Table, line: int, element: str) -> Row:
-    values: Dict[str, Any] = {key.name: None if key.default is REQUIRED else key.default for key in table.keys}
+def _nothing(keys: Tuple[Key, ...], line: int, element: str) -> Row:
+    values: Dict[str, Any] = {key.name: None if key.default is REQUIRED else key.default for key in keys}
     lines: Dict[str, int] = {}
     further: Dict[str, Any] = {}
     given: List[str] = []
