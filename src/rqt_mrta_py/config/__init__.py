@@ -5,7 +5,9 @@
 * ``architecture``, ``application``: both flavours of rqt_mrta.xml; ``topics``, ``templates``, ``launches``,
   ``flavour`` and ``ids`` are their parts
 * ``yaml_text``, ``schema``: YAML text to values with lines, checked by tables that are also the documentation
-* ``tasks``, ``task_text``, ``scenario``, ``scenario_form``, ``places``: the files with these tables
+* ``tasks``, ``task_text``, ``scenario``, ``scenario_form``, ``places``: the files with these tables; what happens in
+  a scenario is in ``event_form``, ``event_order``, ``scenario_events``
+* ``plain_values``: the same tables for values that no file holds
 * ``manifest``, ``registration``, ``discovery``, ``source``: package.xml to what is registered, and where
 * ``values``, ``layers``, ``array_sizes``, ``parameters``: templates and what is given to one robot's parameters;
   ``parameter_context`` says for whom, ``robot_parameters`` from which files, ``parameter_file`` writes them

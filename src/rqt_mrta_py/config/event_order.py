@@ -22,12 +22,12 @@ class EventProblem(NamedTuple):
     """What is wrong with one event among others.
 
     Attributes:
-        index: of the event among those asked about.
+        number: of the event among those asked about, from 0.
         key: that is wrong, such as ``robot`` or ``parameters/groups``.
         message: what is wrong; what is accepted.
     """
 
-    index: int
+    number: int
     key: str
     message: str
 

@@ -31,9 +31,9 @@ def read_events(
     if not all(row.is_sound for row in rows):
         return []
     events = [_event(row) for row in rows]
-    for index, key, message in find_misfits(events, robots, tasks):
+    for number, key, message in find_misfits(events, robots, tasks):
         outer, _, inner = key.partition("/")
-        row: Row = rows[index].values[outer] if inner else rows[index]
+        row: Row = rows[number].values[outer] if inner else rows[number]
         problems.add(*row.at(inner or outer), message)
     return sorted(events, key=lambda event: event.time)
 
@@ -54,8 +54,8 @@ def event_problems(scenario: ScenarioSpec) -> Iterator[str]:
             sound = False
             yield f"{_where(event)}: {problem.element}: {problem.message}"
     if sound:
-        for index, key, message in find_misfits(scenario.events, [robot.id for robot in scenario.robots]):
-            yield f"{_where(scenario.events[index])}: {key}: {message}"
+        for number, key, message in find_misfits(scenario.events, [robot.id for robot in scenario.robots]):
+            yield f"{_where(scenario.events[number])}: {key}: {message}"
 
 
 def _event(row: Row) -> ScenarioEvent:
@@ -80,7 +80,7 @@ def _parameters(row: Optional[Row]) -> Mapping[str, Any]:
 
 def _values(event: ScenarioEvent) -> Dict[str, Any]:
     """Give an event as a file would say it."""
-    values = {"time": event.time, "kind": event.kind.value, "robot": event.robot, "task": event.task}
+    values: Dict[str, Any] = {"time": event.time, "kind": event.kind.value, "robot": event.robot, "task": event.task}
     if event.parameters:
         values["parameters"] = event.parameters
     return {key: value for key, value in values.items() if value is not None}

@@ -209,7 +209,7 @@ def _groups(node: YamlNode, key: Key) -> Optional[Tuple[Tuple[str, ...], ...]]:
         return None
     groups: List[Tuple[str, ...]] = []
     for group in node.value:
-        names = [_scalar(child, key) for child in group.value] if isinstance(group.value, tuple) else [None]
+        names: List[Any] = [_scalar(child, key) for child in group.value] if isinstance(group.value, tuple) else [None]
         if None in names:
             return None
         groups.append(tuple(names))
