@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
+import importlib
+import logging
 import os
+import sys
+import time
 from typing import List, Mapping, Optional
 
+from rqt_mrta_py.app.blocking import is_blocked, warn_of_blocking
+from rqt_mrta_py.app.environment import plugin_settings
 from rqt_mrta_py.app.guard import guarded_renderer
+from rqt_mrta_py.app.own_plugins import OWN_PLUGINS
 from rqt_mrta_py.config import Registry, discover
 from rqt_mrta_py.errors import HookError, Problem
 from rqt_mrta_py.hooks import Codec, Renderer
 from rqt_mrta_py.hooks.loading import load_plugins
 from rqt_mrta_py.hooks.manager import PluginManager
+from rqt_mrta_py.hooks.patience import Patience
+from rqt_mrta_py.hooks.trace import HookTrace
 
 __all__ = ["Host", "compose", "registry_only"]
 
@@ -57,14 +66,29 @@ def registry_only() -> Registry:
 
 
 def compose() -> Host:
-    """Look for packages and load every plugin: this project's own rooms last, so that a package may replace a name."""
-    from rqt_mrta_py.render import plugin as render_plugin
-    from rqt_mrta_py.sim import plugin as sim_plugin
-    from rqt_mrta_py.supervisor import plugin as supervisor_plugin
+    """Look for packages and load every plugin: this project's own rooms last, so that a package may replace a name.
 
+    Raises:
+        UsageError: the environment says something of plugins that makes no sense.
+        HookError: a plugin does not keep the contract.
+    """
+    settings = plugin_settings(os.environ)
     registry = registry_only()
-    manager = PluginManager()
-    problems = [*registry.problems, *load_plugins(registry, manager)]
-    for module in (sim_plugin, supervisor_plugin, render_plugin):
-        manager.register(module, module.__name__)
+    warn_of_blocking(registry, settings.blocked)
+    manager = PluginManager(Patience(settings.patience), _trace() if settings.trace else None)
+    wanted = [each for each in registry.registrations if not is_blocked(each, settings.blocked)]
+    problems = [*registry.problems, *load_plugins(wanted, manager)]
+    for name in OWN_PLUGINS:
+        manager.register(importlib.import_module(name), name)
     return Host(registry, manager, problems)
+
+
+def _trace() -> HookTrace:
+    """Make a trace that writes to stderr, whatever else is logged."""
+    logger = logging.getLogger("rqt_mrta_py.hooks.trace")
+    handler = logging.StreamHandler(sys.stderr)
+    handler.setFormatter(logging.Formatter("%(name)s: %(message)s"))
+    logger.handlers[:] = [handler]
+    logger.propagate = False
+    logger.setLevel(logging.INFO)
+    return HookTrace(logger, time.perf_counter)

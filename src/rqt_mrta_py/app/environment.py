@@ -1,0 +1,68 @@
+"""What the process's environment says of plugins."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Mapping, Tuple
+
+from rqt_mrta_py.errors import UsageError
+from rqt_mrta_py.hooks.patience import DEFAULT_PATIENCE
+
+__all__ = ["BLOCK", "PATIENCE", "TRACE", "PluginSettings", "plugin_settings"]
+
+TRACE = "RQT_MRTA_PY_TRACE_HOOKS"
+BLOCK = "RQT_MRTA_PY_BLOCK_PLUGINS"
+PATIENCE = "RQT_MRTA_PY_PATIENCE"
+
+_MOST_PATIENCE = 1e6
+
+
+@dataclass(frozen=True)
+class PluginSettings:
+    """How plugins are treated.
+
+    Attributes:
+        trace: write each hook call down.
+        blocked: names of plugins' modules or packages that are neither imported nor registered.
+        patience: how long one answer may take; 0: no limit [s].
+    """
+
+    trace: bool = False
+    blocked: Tuple[str, ...] = ()
+    patience: float = DEFAULT_PATIENCE
+
+
+def plugin_settings(environ: Mapping[str, str]) -> PluginSettings:
+    """Read the settings.
+
+    Args:
+        environ: the environment.
+
+    Raises:
+        UsageError: a variable has a value that makes no sense; names it and what is accepted.
+    """
+    blocked = (name.strip() for name in environ.get(BLOCK, "").split(","))
+    return PluginSettings(
+        trace=_switch(environ.get(TRACE, "")),
+        blocked=tuple(dict.fromkeys(name for name in blocked if name)),
+        patience=_seconds(environ.get(PATIENCE, "")),
+    )
+
+
+def _switch(text: str) -> bool:
+    if text not in ("", "0", "1"):
+        raise UsageError(f"{TRACE}: {text!r} is neither 1 nor 0")
+    return text == "1"
+
+
+def _seconds(text: str) -> float:
+    if not text:
+        return DEFAULT_PATIENCE
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = math.nan
+    if not 0.0 <= seconds <= _MOST_PATIENCE:
+        raise UsageError(f"{PATIENCE}: {text!r} is no number of seconds from 0 (no limit) to {_MOST_PATIENCE:.0f}")
+    return seconds
