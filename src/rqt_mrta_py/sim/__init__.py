@@ -6,19 +6,21 @@
 * ``simulated_robot``: one robot's hardware as a node: sensors, transforms, ``cmd_vel``
 * ``transforms``: ``/tf`` from odometry and localiser
 * ``schedule``: rates in ticks
-* ``placement``, ``requirements``, ``scenario_events``: what is wrong with a scenario, before anything is built
+* ``placement``, ``requirements``: what is wrong with a scenario, before anything is built
+* ``radio``: how messages between robots travel
+* ``clocks``, ``faults``: what befell robots
+* ``scenario_events``: labels and operators' orders
 * ``simulation``: world, robots and scenario events, tick by tick
-* ``links``: the radio
 * ``messages``: fields of standard messages
 * ``plugin``: registers all this by the same hooks that strangers use
 """
 
 from __future__ import annotations
 
-from rqt_mrta_py.sim.links import PerfectLink
-from rqt_mrta_py.sim.scenario_events import label_of
+from rqt_mrta_py.sim.radio import PerfectLink
+from rqt_mrta_py.sim.scenario_events import label_of, order_of
 from rqt_mrta_py.sim.schedule import first_tick_at
 from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
 from rqt_mrta_py.sim.simulation import Simulation
 
-__all__ = ["PerfectLink", "SimulatedRobot", "Simulation", "first_tick_at", "label_of"]
+__all__ = ["PerfectLink", "SimulatedRobot", "Simulation", "first_tick_at", "label_of", "order_of"]

@@ -4,9 +4,20 @@ from __future__ import annotations
 
 from typing import Mapping
 
-from rqt_mrta_py.hooks import RobotModel, Sensor, SensorContext, SensorFactory, World, WorldFactory, hookimpl
+from rqt_mrta_py.hooks import (
+    Link,
+    LinkFactory,
+    LinkSetup,
+    RobotModel,
+    Sensor,
+    SensorContext,
+    SensorFactory,
+    World,
+    WorldFactory,
+    hookimpl,
+)
 
-__all__ = ["mrta_register_robot_models", "mrta_register_sensors", "mrta_register_worlds"]
+__all__ = ["mrta_register_links", "mrta_register_robot_models", "mrta_register_sensors", "mrta_register_worlds"]
 
 
 @hookimpl
@@ -27,6 +38,12 @@ def mrta_register_robot_models() -> Mapping[str, RobotModel]:
 def mrta_register_sensors() -> Mapping[str, SensorFactory]:
     """Name the sensors of this room."""
     return {"localiser": _localiser, "odometry": _odometry, "range_finder": _range_finder}
+
+
+@hookimpl
+def mrta_register_links() -> Mapping[str, LinkFactory]:
+    """Name the radios of this room."""
+    return {"lossy": _lossy, "perfect": _perfect}
 
 
 def _bullet() -> World:
@@ -51,3 +68,15 @@ def _range_finder(context: SensorContext) -> Sensor:
     from rqt_mrta_py.sim.sensors import RangeFinder
 
     return RangeFinder(context)
+
+
+def _lossy(setup: LinkSetup) -> Link:
+    from rqt_mrta_py.sim.radio import LossyLink
+
+    return LossyLink(setup)
+
+
+def _perfect(setup: LinkSetup) -> Link:
+    from rqt_mrta_py.sim.radio import PerfectLink
+
+    return PerfectLink.of(setup)

@@ -5,10 +5,13 @@ from __future__ import annotations
 import difflib
 from typing import Collection, Dict, Iterator, Mapping
 
-from rqt_mrta_py.hooks import RobotModel, SensorFactory, World, WorldFactory
-from rqt_mrta_py.model import ScenarioSpec
+from rqt_mrta_py.hooks import LinkFactory, RobotModel, SensorFactory, World, WorldFactory
+from rqt_mrta_py.model import ScenarioEventKind, ScenarioSpec
 
-__all__ = ["missing_capabilities", "missing_names"]
+__all__ = ["missing_capabilities", "missing_links", "missing_names"]
+
+
+_FREEZING = (ScenarioEventKind.ROBOT_STOPS, ScenarioEventKind.ROBOT_STICKS)
 
 
 def missing_names(
@@ -32,6 +35,20 @@ def missing_names(
                 yield f"robot {robot.id}: no sensor {sensor.kind!r} for {sensor.topic}{_offer(sensor.kind, sensors)}"
 
 
+def missing_links(scenario: ScenarioSpec, links: Mapping[str, LinkFactory]) -> Iterator[str]:
+    """Find the radios that a scenario names but nobody registers; its events are sound.
+
+    Yields:
+        One line for each, in file order, with what there is.
+    """
+    if scenario.radio.kind not in links:
+        yield f"scenario: no radio {scenario.radio.kind!r}{_offer(scenario.radio.kind, links)}"
+    for event in scenario.events:
+        if event.kind is ScenarioEventKind.RADIO_CHANGES and event.parameters["kind"] not in links:
+            kind = event.parameters["kind"]
+            yield f"event {event.kind.value} at {event.time:g} s: no radio {kind!r}{_offer(kind, links)}"
+
+
 def missing_capabilities(scenario: ScenarioSpec, models: Mapping[str, RobotModel], world: World) -> Iterator[str]:
     """Find what a scenario asks of its world beyond what that can do.
 
@@ -42,7 +59,8 @@ def missing_capabilities(scenario: ScenarioSpec, models: Mapping[str, RobotModel
     for robot in scenario.robots:
         needs.setdefault(f"drive:{models[robot.model].drive}", f"robot {robot.id}")
     for event in scenario.events:
-        needs.setdefault("freeze", f"event {event.kind.value} at {event.time:g} s")
+        if event.kind in _FREEZING:
+            needs.setdefault("freeze", f"event {event.kind.value} at {event.time:g} s")
     for capability, who in needs.items():
         if capability not in world.capabilities:
             offered = ", ".join(sorted(world.capabilities)) or "nothing"

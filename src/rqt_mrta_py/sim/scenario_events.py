@@ -1,53 +1,33 @@
-"""What a scenario makes happen: whether it makes sense, and the label that tells of it."""
+"""What a scenario makes happen, told: as labels for people, and as the orders that operators give."""
 
 from __future__ import annotations
 
-import math
-from typing import Dict, Iterator, List
+from typing import Callable, List, Mapping, Optional, Sequence
 
 import yaml
 
+from rqt_mrta_py.config import dump_task
 from rqt_mrta_py.hooks import Outgoing
-from rqt_mrta_py.model import ScenarioEvent, ScenarioEventKind, ScenarioSpec
+from rqt_mrta_py.model import ScenarioEvent, ScenarioEventKind, ScenarioSpec, Task
 from rqt_mrta_py.sim.messages import header
+from rqt_mrta_py.sim.radio import radio_of
 
-__all__ = ["event_problems", "in_order", "label_of"]
+__all__ = ["in_order", "label_of", "order_of"]
 
-_SENTENCES = {
-    ScenarioEventKind.ROBOT_STOPS: "{robot} stops: it stands still and falls silent.",
-    ScenarioEventKind.ROBOT_RETURNS: "{robot} returns.",
+_MOST_NAMES = 5
+_MOST_GROUPS = 4
+
+# The constants of rqt_mrta_py/TaskProgress that operators use, and what they say.
+_ORDERS = {
+    ScenarioEventKind.TASK_APPEARS: (4, "there is a new task"),
+    ScenarioEventKind.TASK_WITHDRAWN: (5, "an operator takes it back"),
+    ScenarioEventKind.TASK_REASSIGNED: (6, "an operator gives it to another robot"),
 }
 
 
 def in_order(scenario: ScenarioSpec) -> List[ScenarioEvent]:
     """List a scenario's events by time, then file order."""
     return sorted(scenario.events, key=lambda event: event.time)
-
-
-def event_problems(scenario: ScenarioSpec) -> Iterator[str]:
-    """Find events that cannot happen: bad times, unknown robots, returns of robots that are not stopped then.
-
-    Args:
-        scenario: with its events.
-
-    Yields:
-        One line for each problem, by time of the event.
-    """
-    stops: Dict[str, int] = {robot.id: 0 for robot in scenario.robots}
-    for event in in_order(scenario):
-        where = f"event {event.kind.value} at {event.time:g} s"
-        if not (math.isfinite(event.time) and event.time >= 0):
-            yield f"{where}: time must be finite and at least 0 s"
-        elif event.robot is None:
-            yield f"{where}: names no robot; there are: {', '.join(stops)}"
-        elif event.robot not in stops:
-            yield f"{where}: no robot {event.robot!r}; there are: {', '.join(stops)}"
-        elif event.kind is ScenarioEventKind.ROBOT_STOPS:
-            stops[event.robot] += 1
-        elif stops[event.robot] == 0:
-            yield f"{where}: {event.robot} is not stopped then; let it stop before, once for each return"
-        else:
-            stops[event.robot] -= 1
 
 
 def label_of(event: ScenarioEvent, now: float) -> Outgoing:
@@ -64,6 +44,85 @@ def label_of(event: ScenarioEvent, now: float) -> Outgoing:
         "robot_id": event.robot or "",
         "task_id": event.task or "",
         "parameters_yaml": parameters,
-        "text": _SENTENCES[event.kind].format(robot=event.robot, task=event.task),
+        "text": _SENTENCES[event.kind](event),
     }
     return Outgoing("/mrta/scenario_event", "rqt_mrta_py/ScenarioEvent", fields)
+
+
+def order_of(event: ScenarioEvent, task: Optional[Task], now: float) -> Optional[Outgoing]:
+    """Say on ``/mrta/task_progress`` what an operator wants of a task.
+
+    Args:
+        event: what happened.
+        task: that it happened to; None if unknown.
+        now: when [s].
+
+    Returns:
+        The order, for the node ``/operator`` to publish; None for an event that is none.
+    """
+    if event.kind not in _ORDERS:
+        return None
+    code, detail = _ORDERS[event.kind]
+    appears = event.kind is ScenarioEventKind.TASK_APPEARS
+    fields = {
+        "header": header(now, ""),
+        "task_id": event.task or "",
+        "robot_id": event.robot or "",
+        "progress": code,
+        "detail": detail,
+        "task_yaml": dump_task(task) if appears and task is not None else "",
+    }
+    return Outgoing("/mrta/task_progress", "rqt_mrta_py/TaskProgress", fields)
+
+
+def _slows(event: ScenarioEvent) -> str:
+    factor = event.parameters["factor"]
+    if factor < 1:
+        return f"{event.robot} slows down: it drives at {100 * factor:.3g} % of what it is commanded."
+    return f"{event.robot} drives at full speed again."
+
+
+def _clock(event: ScenarioEvent) -> str:
+    offset = event.parameters["offset"]
+    where = f"{abs(offset):g} s {'ahead of' if offset > 0 else 'behind'} the true time" if offset else "right"
+    return f"The clock of {event.robot} is set {where}."
+
+
+def _partition(event: ScenarioEvent) -> str:
+    groups: Sequence[Sequence[str]] = event.parameters["groups"]
+    parts = [_some(group, _MOST_NAMES) for group in groups if group]
+    between = _some([f"({part})" for part in parts], _MOST_GROUPS)
+    return f"The radio reaches only within groups: {between}." if parts else "The radio reaches nobody."
+
+
+def _change(event: ScenarioEvent) -> str:
+    radio = radio_of(event)
+    how = ", ".join(f"{name} {value}" for name, value in sorted(radio.parameters.items()))
+    return f"The radio is {radio.kind} from now on{f': {how}' if how else ''}."
+
+
+def _some(names: Sequence[str], most: int) -> str:
+    rest = f" and {len(names) - most} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + rest
+
+
+def _says(text: str) -> Callable[[ScenarioEvent], str]:
+    return lambda event: text.format(robot=event.robot, task=event.task)
+
+
+_SENTENCES: Mapping[ScenarioEventKind, Callable[[ScenarioEvent], str]] = {
+    ScenarioEventKind.ROBOT_STOPS: _says("{robot} stops: it stands still and falls silent."),
+    ScenarioEventKind.ROBOT_RETURNS: _says("{robot} returns."),
+    ScenarioEventKind.ROBOT_STICKS: _says("{robot} is stuck: it stands still but is heard."),
+    ScenarioEventKind.ROBOT_COMES_FREE: _says("{robot} comes free."),
+    ScenarioEventKind.ROBOT_SLOWS: _slows,
+    ScenarioEventKind.ROBOT_CLOCK_SHIFTS: _clock,
+    ScenarioEventKind.RADIO_FAILS: _says("The radio of {robot} fails: it reaches nobody and nobody reaches it."),
+    ScenarioEventKind.RADIO_RETURNS: _says("The radio of {robot} works again."),
+    ScenarioEventKind.RADIO_PARTITIONS: _partition,
+    ScenarioEventKind.RADIO_HEALS: _says("The radio reaches everybody again."),
+    ScenarioEventKind.RADIO_CHANGES: _change,
+    ScenarioEventKind.TASK_APPEARS: _says("Task {task} appears."),
+    ScenarioEventKind.TASK_WITHDRAWN: _says("An operator withdraws task {task}."),
+    ScenarioEventKind.TASK_REASSIGNED: _says("An operator reassigns task {task} to {robot}."),
+}

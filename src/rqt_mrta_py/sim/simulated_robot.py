@@ -43,6 +43,7 @@ class SimulatedRobot:
         model: what it is like.
         node: resolved name of its node.
         is_stopped: True while it stands still and is silent.
+        speed_factor: share of what it is commanded that it drives at, from 0 to 1.
 
     Args:
         setup: the robot in the scenario.
@@ -67,6 +68,7 @@ class SimulatedRobot:
         self.model = model
         self.node = f"/{setup.id}/driver"
         self.is_stopped = False
+        self.speed_factor = 1.0
         self._sensors = _build_sensors(setup, model, sensors, control_rate, random)
         self._transforms = TransformSource(setup.id)
         self._command = _STILL
@@ -105,6 +107,8 @@ class SimulatedRobot:
         """Give the velocity to drive at a time [s], within the model's limits."""
         if self.is_stopped or now - self._commanded_at > COMMAND_TIMEOUT + _ROUNDING:
             return _STILL
+        if self.speed_factor < 1.0:
+            return _scaled(self._command, self.speed_factor)
         return self._command
 
     def stop(self) -> None:
@@ -123,6 +127,10 @@ class SimulatedRobot:
         vx, vy, wz = (heard.fields[path] for path in _CMD_VEL.fields)
         self._command = _limit(self.model, vx, vy, wz) if math.isfinite(vx + vy + wz) else _STILL
         self._commanded_at = heard.receipt
+
+
+def _scaled(twist: Twist, factor: float) -> Twist:
+    return Twist(twist.vx * factor, twist.vy * factor, twist.wz * factor)
 
 
 def _limit(model: RobotModel, vx: float, vy: float, wz: float) -> Twist:

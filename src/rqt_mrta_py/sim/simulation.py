@@ -2,14 +2,26 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Dict, Iterable, List, Mapping, Sequence, Tuple
+from typing import TYPE_CHECKING, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple
 
+from rqt_mrta_py.config.scenario_events import event_problems
 from rqt_mrta_py.errors import SimError
-from rqt_mrta_py.hooks import Outgoing, PlacedRobot, RobotModel, SensorFactory, World, WorldFactory, WorldSetup
-from rqt_mrta_py.model import Pose, ScenarioEvent, ScenarioEventKind, ScenarioSpec
+from rqt_mrta_py.hooks import (
+    LinkFactory,
+    Outgoing,
+    PlacedRobot,
+    RobotModel,
+    SensorFactory,
+    World,
+    WorldFactory,
+    WorldSetup,
+)
+from rqt_mrta_py.model import Pose, ScenarioEvent, ScenarioSpec
+from rqt_mrta_py.sim.faults import Faults
 from rqt_mrta_py.sim.placement import placement_problems
-from rqt_mrta_py.sim.requirements import missing_capabilities, missing_names
-from rqt_mrta_py.sim.scenario_events import event_problems, in_order
+from rqt_mrta_py.sim.radio import LinkRandom, PerfectLink, Radio, build_links
+from rqt_mrta_py.sim.requirements import missing_capabilities, missing_links, missing_names
+from rqt_mrta_py.sim.scenario_events import in_order
 from rqt_mrta_py.sim.schedule import first_tick_at
 from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
 
@@ -25,13 +37,13 @@ class Simulation:
     One tick is ``begin_tick``, ``sense``, ``act``, ``step``, in this order; what robots hear comes between ``sense``
     and ``act``, through the listeners of ``robots``.
 
-    Stops of one robot are counted: it stands still and silent until as many returns as stops have come, so a robot that
-    stopped for good stays so, whatever other stop begins and ends meanwhile.
+    A robot goes by its own clock: what it measures is stamped by it, and it judges by it how old a command is.
 
     Attributes:
         scenario: what is simulated.
         robots: by id, in the scenario's order.
         world: where they are; built.
+        radio: between them; to be asked for each delivery.
 
     Args:
         scenario: what to simulate.
@@ -39,6 +51,8 @@ class Simulation:
         sensors: sensor factories by kind.
         worlds: world factories by name.
         generators: one for each robot's sensors, by robot id.
+        links: link factories by kind of radio; None: the perfect one alone.
+        link_random: makes the generator of one sender and one receiver; None: there is no chance in the radio.
 
     Raises:
         SimError: something is missing, misplaced or set wrongly; one line for each problem, and nothing is built.
@@ -52,17 +66,24 @@ class Simulation:
         sensors: Mapping[str, SensorFactory],
         worlds: Mapping[str, WorldFactory],
         generators: Mapping[str, np.random.Generator],
+        links: Optional[Mapping[str, LinkFactory]] = None,
+        link_random: Optional[LinkRandom] = None,
     ) -> None:
         self.scenario = scenario
         if scenario.control_rate < 1:
             raise SimError(f"scenario: control_rate must be at least 1 Hz (got {scenario.control_rate!r})")
+        links = {"perfect": PerfectLink.of} if links is None else links
         _raise_if_any([*missing_names(scenario, models, sensors, worlds), *event_problems(scenario)])
+        _raise_if_any(missing_links(scenario, links))
         placed = tuple(PlacedRobot(robot.id, models[robot.model], robot.start) for robot in scenario.robots)
         _raise_if_any(placement_problems(scenario.arena, scenario.obstacles, placed))
         self.robots = _build_robots(scenario, models, sensors, generators)
         self._events = in_order(scenario)
         self._next_event = 0
-        self._stops = dict.fromkeys(self.robots, 0)
+        self._now = 0.0
+        self._places: Optional[Mapping[str, Pose]] = None
+        built = build_links(scenario, self._events, links, self._pose, link_random or _no_chance)
+        self.radio = Radio(built.first)
         self.world: World = worlds[scenario.world]()
         try:
             _raise_if_any(missing_capabilities(scenario, models, self.world))
@@ -70,6 +91,7 @@ class Simulation:
         except BaseException:
             self.world.close()
             raise
+        self._faults = Faults(self.robots, self.world, self.radio, built.later)
 
     def begin_tick(self, tick: int, now: float) -> Sequence[ScenarioEvent]:
         """Make happen what is due by this tick; an event between two ticks happens at the later one.
@@ -81,12 +103,13 @@ class Simulation:
         Returns:
             What happened, by time, then file order.
         """
+        self._now = now
         first = self._next_event
         while self._next_event < len(self._events):
             event = self._events[self._next_event]
             if first_tick_at(event.time, self.scenario.control_rate) > tick:
                 break
-            self._happen(event)
+            self._faults.happen(event, now)
             self._next_event += 1
         return self._events[first : self._next_event]
 
@@ -102,7 +125,7 @@ class Simulation:
         """
         said: List[Tuple[str, Sequence[Outgoing]]] = []
         for robot, (x, y, yaw) in zip(self.robots.values(), self.world.poses().tolist()):
-            outgoing = robot.sense(tick, now, Pose(x, y, yaw), self.world)
+            outgoing = robot.sense(tick, now + self.clock_offset(robot.id), Pose(x, y, yaw), self.world)
             if outgoing:
                 said.append((robot.id, outgoing))
         return said
@@ -110,33 +133,37 @@ class Simulation:
     def act(self, now: float) -> None:
         """Command the world what every robot was commanded, at a time [s]."""
         for robot in self.robots.values():
-            self.world.command(robot.id, "base", robot.command(now))
+            self.world.command(robot.id, "base", robot.command(now + self.clock_offset(robot.id)))
 
     def step(self) -> None:
         """Let one tick pass in the world."""
         self.world.step()
+        self._places = None
 
     def stopped(self, robot_id: str) -> bool:
         """Tell whether a robot stands still and silent; its host must be silent too."""
-        return self._stops[robot_id] > 0
+        return self._faults.stopped(robot_id)
+
+    def clock_offset(self, robot_id: str) -> float:
+        """Give a robot's clock minus the true one [s], at the tick that was begun last.
+
+        A clock that is set back never runs backwards: it runs at half speed until it shows what it should.
+        """
+        return self._faults.clock_offset(robot_id, self._now)
 
     def close(self) -> None:
         """Free what the world holds; safe to call twice."""
         self.world.close()
 
-    def _happen(self, event: ScenarioEvent) -> None:
-        if event.robot is None:
-            return
-        was_stopped = self.stopped(event.robot)
-        self._stops[event.robot] += 1 if event.kind is ScenarioEventKind.ROBOT_STOPS else -1
-        is_stopped = self.stopped(event.robot)
-        if is_stopped == was_stopped:
-            return
-        if is_stopped:
-            self.robots[event.robot].stop()
-        else:
-            self.robots[event.robot].resume()
-        self.world.freeze(event.robot, is_stopped)
+    def _pose(self, robot_id: str) -> Optional[Pose]:
+        """Give a robot's true pose; the world is asked once a tick."""
+        if self._places is None:
+            self._places = {name: Pose(*place) for name, place in zip(self.robots, self.world.poses().tolist())}
+        return self._places.get(robot_id)
+
+
+def _no_chance(sender: str, receiver: str) -> np.random.Generator:
+    raise ValueError(f"no chance was given to the radio from {sender!r} to {receiver!r}")
 
 
 def _build_robots(
