@@ -69,7 +69,7 @@ def _curve(label: str, trace: Sequence[Tuple[float, float]], start: float, end: 
     times: List[float] = []
     values: List[float] = []
     for time, value in trace[first + -first % step : last : step]:
-        if times and time - times[-1] > _SILENCE + (step - 1) * _SILENCE:
+        if times and time - times[-1] > step * _SILENCE:
             times.append(time)
             values.append(math.nan)
         times.append(time)

@@ -1,0 +1,62 @@
+from __future__ import annotations
+
+from typing import List, Sequence
+
+import pytest
+from nearest_robot.interpreter import NearestRobotInterpreter
+
+from rqt_mrta_py.hooks import AllocationSign, Heard, InterpreterSetup
+from rqt_mrta_py.model import Outcome
+from tests.plugins.nearest_robot.team import bid
+
+
+def signs(*messages: Heard) -> Sequence[AllocationSign]:
+    """Give what an interpreter makes of the last of some messages."""
+    interpreter = NearestRobotInterpreter(InterpreterSetup((), ()))
+    answers: List[Sequence[AllocationSign]] = [interpreter.hear(message) for message in messages]
+    return answers[-1]
+
+
+def test_bid_that_holds_a_task_says_that_it_goes_on() -> None:
+    assert signs(bid("a", {"t": 1.0}, holding="t")) == [AllocationSign("a", "t")]
+    assert signs(bid("a", {"t": 1.0})) == []
+
+
+@pytest.mark.parametrize(
+    ("others", "last", "outcome", "text"),
+    [
+        ([bid("b", {"t": 3.0}, 1.2)], bid("a", {"t": 5.0}, 1.4), Outcome.YIELDED, "it costs b less"),
+        (
+            [bid("b", {"t": 3.0}, 1.2)],
+            bid("a", {"t": 5.0, "u": 1.0}, 1.4, holding="u"),
+            Outcome.YIELDED,
+            "it costs b less",
+        ),
+        ([bid("b", {"t": 9.0}, 1.2)], bid("a", {"t": 5.0, "u": 1.0}, 1.4, holding="u"), Outcome.PREEMPTED, "takes u"),
+        ([], bid("a", {"u": 1.0}, 1.4, holding="u"), Outcome.FAILED, "no longer possible"),
+        ([], bid("a", {}, 1.4), Outcome.FAILED, "no longer possible"),
+        ([], bid("a", {"t": 1.0}, 1.4), Outcome.GAVE_UP, "without a reason"),
+        ([bid("b", {"t": 9.0}, 1.2, ordered="t")], bid("a", {"t": 1.0}, 1.4), Outcome.PREEMPTED, "b was ordered to it"),
+        ([], bid("a", {"t": 1.0, "u": 2.0}, 1.4, holding="u", ordered="u"), Outcome.PREEMPTED, "ordered to u"),
+        ([bid("b", {"t": 3.0}, 1.2)], bid("a", {"t": 5.0}, 3.3), Outcome.GAVE_UP, "without a reason"),
+    ],
+    ids=[
+        "nearer",
+        "nearer and takes another",
+        "takes another",
+        "impossible",
+        "nothing",
+        "none",
+        "order",
+        "away",
+        "stale",
+    ],
+)
+def test_bid_that_holds_something_else_says_why(others: List[Heard], last: Heard, outcome: Outcome, text: str) -> None:
+    answer = signs(bid("a", {"t": 5.0}, holding="t"), *others, last)
+    assert answer[0] == AllocationSign("a", "t", outcome, text)
+    assert answer[1:] == ([AllocationSign("a", last.fields["holding"])] if last.fields["holding"] else [])
+
+
+def test_bid_that_contradicts_itself_says_nothing() -> None:
+    assert signs(bid("a", {"t": 1.0}, holding="t"), bid("a", {"t": float("inf")}, 1.2)) == ()
