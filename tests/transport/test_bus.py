@@ -105,6 +105,67 @@ def test_a_given_seq_stays(bus: Bus) -> None:
     assert [list(message.fields.values()) for message in heard] == [[0], [77], [2]]
 
 
+def test_a_header_is_counted_whatever_its_field_is_called() -> None:
+    heard: List[Heard] = []
+    named = RosCodec(lambda name: "std_msgs/Header about\nbool ok" if name == "odd/Named" else lookup(name))
+    node = Bus(named, ListLink()).node("/a")
+    node.subscribe(Subscription("n", "odd/Named", ("about", "ok")), heard.append)
+    node.publish(Outgoing("n", "odd/Named", {"ok": True, "about": {"stamp": 1.5, "frame_id": "map"}}), 1.0)
+    node.deliver(1.0)
+    assert heard[0].fields == {"about": {"seq": 1, "stamp": 1.5, "frame_id": "map"}, "ok": True}
+
+
+def test_messages_are_counted_while_nobody_hears_them(bus: Bus) -> None:
+    heard: List[Heard] = []
+    node = bus.node("/a")
+    node.publish(Outgoing("p", "geometry_msgs/PoseStamped", {}), 1.0)
+    node.subscribe(Subscription("p", "geometry_msgs/PoseStamped", ("header/seq",)), heard.append)
+    node.publish(Outgoing("p", "geometry_msgs/PoseStamped", {}), 1.0)
+    bus.deliver(1.0)
+    assert [(message.ordinal, message.fields["header/seq"]) for message in heard] == [(1, 2)]
+
+
+def test_nodes_publishers_and_subscriptions_meet_in_whatever_order_they_are_made(codec: RosCodec) -> None:
+    """Whichever come first, every subscription hears each message that it means once, in one order."""
+    topics = ["/robot1/pose", "/robot2/pose", "/robot1/task", "/chatter"]
+    wishes = ["/@robot_id@/pose", EVERYTHING, "/chatter", "/robot2/pose", "/robot1/@task_id@"]
+
+    def heard(early_topics: int, early_wishes: int) -> List[Tuple[str, str]]:
+        got: List[Tuple[str, str]] = []
+        bus = Bus(codec, ListLink())
+        talker, nodes = bus.node("/talker"), [bus.node("/n1"), bus.node("/n2")]
+
+        def wish(chosen: List[str]) -> None:
+            for node in reversed(nodes):
+                for topic in chosen:
+                    node.subscribe(
+                        Subscription(topic),
+                        lambda message, who=f"{node.name} {topic}": got.append((who, message.topic)),  # type: ignore[misc]
+                    )
+
+        wish(wishes[:early_wishes])
+        for topic in topics[:early_topics]:
+            talker.publish(text(topic), 0.5)
+        bus.deliver(0.5)
+        wish(wishes[early_wishes:])
+        got.clear()
+        for topic in topics:
+            talker.publish(text(topic), 1.0)
+        bus.deliver(1.0)
+        return got
+
+    meant = {
+        "/robot1/pose": ["/@robot_id@/pose", EVERYTHING, "/robot1/@task_id@"],
+        "/robot2/pose": ["/@robot_id@/pose", EVERYTHING, "/robot2/pose"],
+        "/robot1/task": [EVERYTHING, "/robot1/@task_id@"],
+        "/chatter": [EVERYTHING, "/chatter"],
+    }
+    expected = [(f"{node} {wish}", topic) for node in ("/n1", "/n2") for topic in topics for wish in meant[topic]]
+    for early_topics in range(5):
+        for early_wishes in range(6):
+            assert heard(early_topics, early_wishes) == expected
+
+
 def test_delays_decide_when_a_message_is_due(bus: Bus, link: ListLink) -> None:
     got: List[str] = []
     listen(bus.node("/b", "robot2"), "/t", got)
@@ -124,10 +185,47 @@ def test_delays_decide_when_a_message_is_due(bus: Bus, link: ListLink) -> None:
 def test_the_receipt_is_the_arrival(bus: Bus, link: ListLink) -> None:
     heard: List[Heard] = []
     link.answer = lambda sender, receiver: (0.25,)
-    bus.node("/b").subscribe(Subscription("/t"), heard.append)
-    bus.node("/a").publish(text("/t"), 1.0)
+    bus.node("/b", "robot2").subscribe(Subscription("/t"), heard.append)
+    bus.node("/a", "robot1").publish(text("/t"), 1.0)
     bus.deliver(2.0)
     assert heard[0].receipt == 1.25
+
+
+def test_the_receipt_is_by_the_clock_of_the_node_that_hears(bus: Bus) -> None:
+    heard: List[Heard] = []
+    nodes = [bus.node("/early", "robot1"), bus.node("/right", "robot2"), bus.node("/late", "robot3")]
+    for node, offset in zip(nodes, (0.5, 0.0, -0.25)):
+        node.subscribe(Subscription("/t"), heard.append)
+        node.clock_offset = offset
+    bus.node("/a").publish(text("/t"), 1.0)
+    bus.deliver(2.0)
+    assert [message.receipt for message in heard] == [1.5, 1.0, 0.75]
+
+
+def test_time_never_goes_back(bus: Bus) -> None:
+    node = bus.node("/a")
+    node.publish(text("/t"), 2.0)
+    message = r"the bus's time never goes back: it is 2\.0 s, told was "
+    with pytest.raises(ValueError, match=message + r"1\.5 s"):
+        node.publish(text("/t"), 1.5)
+    with pytest.raises(ValueError, match=message + "nan s"):
+        bus.deliver(float("nan"))
+    with pytest.raises(ValueError, match=message + r"1\.0 s"):
+        node.deliver(1.0)
+    node.publish(text("/t"), 2.0)
+
+
+def test_what_was_delayed_is_heard_before_what_arrives_at_its_moment_without_delay(bus: Bus, link: ListLink) -> None:
+    got: List[str] = []
+    listen(bus.node("/b", "robot2"), "/t", got)
+    sender = bus.node("/a", "robot1")
+    for data, delay, now in (("slow", 0.5, 1.0), ("quick", 0.0, 1.25), ("at once", 0.0, 1.5), ("later", 0.25, 1.5)):
+        link.answer = lambda _sender, _receiver, delay=delay: (delay,)  # type: ignore[misc]
+        sender.publish(text("/t", data), now)
+    bus.deliver(1.5)
+    assert got == ["quick", "slow", "at once"]
+    bus.deliver(1.75)
+    assert got[3:] == ["later"]
 
 
 def test_equal_arrivals_keep_the_order_of_publishing(bus: Bus, link: ListLink) -> None:
@@ -144,12 +242,29 @@ def test_equal_arrivals_keep_the_order_of_publishing(bus: Bus, link: ListLink) -
 
 
 def test_the_link_is_asked_once_for_each_node_and_in_the_order_of_nodes(bus: Bus, link: ListLink) -> None:
-    nodes = [bus.node(f"/robot{i}/agent", f"robot{i}") for i in (2, 1)]
+    nodes = [bus.node(f"/robot{i}/agent", f"robot{i}") for i in (2, 1, 3)]
     for node in (*nodes, bus.node("/supervisor")):
         node.subscribe(Subscription("/t"), lambda heard: None)
         node.subscribe(Subscription("/@task_id@"), lambda heard: None)
     nodes[1].publish(text("/t"), 1.0)
-    assert link.asked == [("robot1", "robot2", 1.0), ("robot1", "robot1", 1.0), ("robot1", "", 1.0)]
+    assert link.asked == [("robot1", "robot2", 1.0), ("robot1", "robot3", 1.0), ("robot1", "", 1.0)]
+
+
+def test_the_link_is_not_asked_within_a_robot_nor_among_nodes_of_none(bus: Bus, link: ListLink) -> None:
+    got: List[str] = []
+    link.answer = lambda sender, receiver: ()
+    for name, robot in (("/driver", "robot1"), ("/supervisor", ""), ("/stranger", "robot2")):
+        listen(bus.node(name, robot), "/t", got)
+    bus.node("/agent", "robot1").publish(text("/t", "own"), 1.0)
+    bus.node("/operator").publish(text("/t", "wired"), 1.0)
+    bus.deliver(1.0)
+    assert got == ["own", "wired"]
+    assert link.asked == [
+        ("robot1", "", 1.0),
+        ("robot1", "robot2", 1.0),
+        ("", "robot1", 1.0),
+        ("", "robot2", 1.0),
+    ]
 
 
 def test_what_is_published_in_a_round_is_heard_in_the_next_whatever_the_order_of_nodes(bus: Bus) -> None:
@@ -369,7 +484,7 @@ def test_names_of_nodes_are_absolute_and_unique(bus: Bus) -> None:
 @pytest.mark.parametrize("delay", [-0.1, float("nan")])
 def test_a_delay_into_the_past_is_a_mistake_of_the_link(bus: Bus, link: ListLink, delay: float) -> None:
     link.answer = lambda sender, receiver: (delay,)
-    bus.node("/b").subscribe(Subscription("/t"), lambda heard: None)
+    bus.node("/b", "robot1").subscribe(Subscription("/t"), lambda heard: None)
     with pytest.raises(ValueError, match="it must be 0 or more"):
         bus.node("/a").publish(text("/t"), 1.0)
 
@@ -398,7 +513,8 @@ def test_each_copy_is_heard_once_when_due_in_order_of_arrival_and_number(actions
             link.answer = lambda sender, receiver, ticks=ticks: (ticks * 0.5,)  # type: ignore[misc]
             nodes[who].publish(text("/t"), now)
             for node in nodes:
-                pending[node.name].append((now + ticks * 0.5, number))
+                delay = 0.0 if node is nodes[who] else ticks * 0.5
+                pending[node.name].append((now + delay, number))
             number += 1
         elif action == "discard":
             nodes[who].discard()

@@ -1,9 +1,9 @@
 """Messages in motion.
 
 * ``definitions``, ``types``: what message types look like, from their texts
-* ``wire``, ``reading``, ``writing``, ``faults``, ``codec``: fields into bytes and back
+* ``wire``, ``reading``, ``writing``, ``values``, ``faults``, ``codec``: fields into bytes and back
 * ``patterns``, ``dispatch``: hearing a stream
-* ``bus``, ``node``: the embedded bus of simulated runs
+* ``bus``, ``node``, ``inbox``, ``wiring``: the embedded bus of simulated runs
 * ``batches``: from process to process
 * ``bag_writer``, ``bag_reader``: bags
 * ``rosbags_door``: the only place that imports rosbags

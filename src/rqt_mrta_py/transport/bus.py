@@ -1,36 +1,47 @@
 """The embedded bus: nodes, topics and a link between them, in one process and in mission time.
 
-Order is fully defined. Messages are numbered as they are published; a node hears what is due in the order of
-(arrival, number); nodes are served in the order in which they were made; the link is asked for each node in that
-same order. A message published while nodes are being served is heard in the next round.
+Order is fully defined. A node hears what is due in the order of (arrival, sending); nodes are served in the order in
+which they were made; the link is asked for each node in that same order. A message published while nodes are being
+served is heard in the next round. Time never goes back.
+
+Nodes of one robot, and nodes of none, hear one another at once; between any others the link is asked.
 """
 
 from __future__ import annotations
 
-from collections import abc
+import struct
 from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Codec, Connection, Link, Outgoing, Stamped
+from rqt_mrta_py.hooks import Codec, Connection, Link, Stamped
 from rqt_mrta_py.transport.definitions import parse_definition
-from rqt_mrta_py.transport.node import Delivery, Ear, Hearing, Message, Node
+from rqt_mrta_py.transport.inbox import Hearing, Inbox, Message
+from rqt_mrta_py.transport.node import Node
+from rqt_mrta_py.transport.wiring import Ear, Receiver, Topic, Wiring
 
 __all__ = ["Bus"]
 
-_NOTHING: Mapping[str, Any] = {}
+_seq_word = struct.Struct("<I").pack
+"""A header's ``seq`` stands in the first four bytes of a message that begins with one."""
+
+_new_stamped = tuple.__new__
+"""Makes a Stamped of a tuple of its values, in half the time of the constructor of a NamedTuple."""
 
 
 class _Publisher:
     """A node's way onto a topic, with the nodes at its other end."""
 
-    __slots__ = ("begins_with_header", "connection", "epoch", "last", "receivers", "seq")
+    __slots__ = ("connection", "header", "last", "latched", "node", "receivers", "seq", "topic", "version")
 
-    def __init__(self, connection: Connection) -> None:
+    def __init__(self, node: Node, topic: Topic, connection: Connection, header: str) -> None:
+        self.node = node
+        self.topic = topic
         self.connection = connection
-        self.begins_with_header = parse_definition(connection.type, connection.definition).begins_with_header
+        self.latched = connection.latched
+        self.header = header
         self.seq = 0
-        self.epoch = -1
-        self.receivers: Tuple[Tuple[Node, Tuple[Hearing, ...]], ...] = ()
+        self.version = -1
+        self.receivers: Tuple[Receiver, ...] = ()
         self.last: Optional[Message] = None
 
 
@@ -39,7 +50,7 @@ class Bus:
 
     Args:
         codec: writes and reads messages.
-        link: is asked for each delivery from node to node, whatever robots they belong to.
+        link: is asked for each delivery between nodes of different robots.
     """
 
     def __init__(self, codec: Codec, link: Link) -> None:
@@ -47,12 +58,13 @@ class Bus:
         self.link = link
         self._nodes: Dict[str, Node] = {}
         self._taps: List[Callable[[Stamped], None]] = []
+        self._wiring = Wiring(codec)
         self._publishers: Dict[Tuple[str, str, str, bool], _Publisher] = {}
-        self._ordinals: Dict[str, int] = {}
-        self._published = 0
-        self._sent = 0
-        self._epoch = 0
-        self._now = 0.0
+        # Only those that keep a message for late subscribers, in the order in which they were made.
+        self._latched: Dict[str, List[_Publisher]] = {}
+        self._headers: Dict[str, str] = {}
+        self._now = float("-inf")
+        self._now_ns = 0
 
     def node(self, name: str, robot: str = "", remappings: Optional[Mapping[str, str]] = None) -> Node:
         """Make a node.
@@ -67,7 +79,7 @@ class Bus:
         """
         if not name.startswith("/") or name in self._nodes:
             raise ValueError(f"{name!r} cannot be the name of a node: taken, or without leading slash")
-        node = self._nodes[name] = Node(self, name, robot, remappings)
+        node = self._nodes[name] = Node(self, len(self._nodes), name, robot, remappings)
         return node
 
     def tap(self, callback: Callable[[Stamped], None]) -> None:
@@ -83,90 +95,129 @@ class Bus:
 
         Args:
             now: the time [s].
+
+        Raises:
+            ValueError: the bus's time is later already.
         """
-        horizon = self._published
-        self._now = now
-        for node in tuple(self._nodes.values()):
-            node.deliver(now, horizon)
+        self.advance(now)
+        for node in [node for node in self._nodes.values() if node.inbox.collect(now)]:
+            node.hear()
 
-    @property
-    def published(self) -> int:
-        """Tell how many messages were published so far."""
-        return self._published
-
-    def publish(self, node: Node, topic: str, outgoing: Outgoing, now: float) -> None:
-        """Carry a message of a node; nodes call this.
+    def publisher(self, node: Node, topic: str, type_name: str, latched: bool) -> _Publisher:
+        """Give a node's way onto a topic; nodes call this.
 
         Args:
             node: that publishes.
             topic: resolved.
-            outgoing: the message.
+            type_name: ``pkg/Msg``.
+            latched: True if late subscribers get the last message.
+
+        Raises:
+            TransportError: the type is not known.
+        """
+        key = (node.name, topic, type_name, latched)
+        publisher = self._publishers.get(key)
+        if publisher is None:
+            try:
+                connection = self.codec.connection(topic, type_name, node.name, latched)
+            except TransportError as error:
+                raise TransportError(f"{node.name} on {topic}: {error}") from error
+            publisher = _Publisher(node, self._wiring.topic(topic), connection, self._header(connection))
+            self._publishers[key] = publisher
+            if latched:
+                self._latched.setdefault(topic, []).append(publisher)
+        return publisher
+
+    def publish(self, publisher: _Publisher, fields: Mapping[str, Any], now: float) -> None:
+        """Carry a message of a node; nodes call this.
+
+        Args:
+            publisher: the node's way onto the topic.
+            fields: of the message.
             now: the time [s].
 
         Raises:
             TransportError: the message does not fit its type; names node, topic and path.
+            ValueError: the bus's time is later already.
         """
-        publisher = self._publisher(node.name, topic, outgoing)
-        if publisher.epoch != self._epoch:
-            found = [(other, other.hearings(publisher.connection)) for other in self._nodes.values()]
-            publisher.receivers = tuple((other, hearings) for other, hearings in found if hearings)
-            publisher.epoch = self._epoch
-        self._now = now
-        ordinal = self._ordinals.get(topic, 0)
-        self._ordinals[topic] = ordinal + 1
-        number = self._published
-        self._published += 1
-        if publisher.begins_with_header:
-            publisher.seq += 1
-        if not (publisher.receivers or self._taps or outgoing.latched):
+        if now != self._now:
+            self.advance(now)
+        topic = publisher.topic
+        ordinal = next(topic.ordinals)
+        publisher.seq += 1
+        if publisher.version != topic.version:
+            publisher.receivers = self._wiring.receivers(topic, publisher.connection)
+            publisher.version = topic.version
+        receivers, taps = publisher.receivers, self._taps
+        if not (receivers or taps or publisher.latched):
             return
-        message = Message(publisher.connection, number, ordinal, self._encode(node, publisher, outgoing))
-        if outgoing.latched:
-            publisher.last = message
-        if self._taps:
-            stamped = Stamped(publisher.connection, round(now * 1e9), message.raw)
-            for tap in self._taps:
+        raw = self._encode(publisher, fields)
+        connection = publisher.connection
+        if taps:
+            stamped = _new_stamped(Stamped, (connection, self._now_ns, raw))
+            for tap in taps:
                 tap(stamped)
-        for receiver, hearings in publisher.receivers:
-            self._send(node.robot, receiver, message, hearings, now)
+        if receivers or publisher.latched:
+            message = Message(connection, ordinal, raw)
+            if publisher.latched:
+                publisher.last = message
+            sender = publisher.node.robot
+            for robot, inbox, hearings in receivers:
+                if robot == sender:
+                    inbox.arrived.append((now, message, hearings))
+                else:
+                    self._send(sender, robot, inbox, message, hearings)
 
-    def _send(self, sender: str, receiver: Node, message: Message, hearings: Tuple[Hearing, ...], now: float) -> None:
-        for delay in self.link.deliveries(sender, receiver.robot, now):
+    def subscribe(self, ear: Ear) -> None:
+        """Let a new subscription hear; latched messages set out for it. Nodes call this."""
+        for topic, tokens in self._wiring.add(ear):
+            for publisher in self._latched.get(topic.name, ()):
+                if publisher.last is not None:
+                    hearing = self._wiring.hearing(ear, tokens, publisher.connection)
+                    if hearing is not None:
+                        self._send(publisher.node.robot, ear.robot, ear.inbox, publisher.last, (hearing,))
+
+    def advance(self, now: float) -> None:
+        """Take note of the time; nodes call this.
+
+        Args:
+            now: the time [s].
+
+        Raises:
+            ValueError: the bus's time is later already.
+        """
+        if not now >= self._now:
+            raise ValueError(f"the bus's time never goes back: it is {self._now} s, told was {now} s")
+        self._now = now
+        self._now_ns = round(now * 1e9)
+
+    def _send(self, sender: str, robot: str, inbox: Inbox, message: Message, hearings: Tuple[Hearing, ...]) -> None:
+        now = self._now
+        for delay in (0.0,) if sender == robot else self.link.deliveries(sender, robot, now):
             if not delay >= 0.0:
-                raise ValueError(
-                    f"the link's delay from {sender!r} to {receiver.robot!r} is {delay} s; it must be 0 or more"
-                )
-            receiver.expect(Delivery(now + delay, self._sent, message, hearings))
-            self._sent += 1
+                raise ValueError(f"the link's delay from {sender!r} to {robot!r} is {delay} s; it must be 0 or more")
+            arrival = now + delay
+            if arrival > now:
+                inbox.delay((arrival, message, hearings))
+            else:
+                inbox.arrived.append((now, message, hearings))
 
-    def welcome(self, node: Node, ear: Ear) -> None:
-        """Tell the publishers of a new ear; latched messages set out for it."""
-        self._epoch += 1
-        for (name, *_), publisher in self._publishers.items():
-            if publisher.last is not None:
-                hearings = node.hearings(publisher.connection, only=ear)
-                if hearings:
-                    self._send(self._nodes[name].robot, node, publisher.last, hearings, self._now)
+    def _header(self, connection: Connection) -> str:
+        """Give the name of the header that messages of a type begin with; empty if they do not."""
+        name = self._headers.get(connection.type)
+        if name is None:
+            definition = parse_definition(connection.type, connection.definition)
+            name = definition.root.fields[0].name if definition.begins_with_header else ""
+            self._headers[connection.type] = name
+        return name
 
-    def _publisher(self, name: str, topic: str, outgoing: Outgoing) -> _Publisher:
-        key = (name, topic, outgoing.type, outgoing.latched)
-        publisher = self._publishers.get(key)
-        if publisher is None:
-            try:
-                connection = self.codec.connection(topic, outgoing.type, name, outgoing.latched)
-            except TransportError as error:
-                raise TransportError(f"{name} on {topic}: {error}") from error
-            publisher = self._publishers[key] = _Publisher(connection)
-        return publisher
-
-    def _encode(self, node: Node, publisher: _Publisher, outgoing: Outgoing) -> bytes:
-        fields = outgoing.fields
-        if publisher.begins_with_header:
-            header = fields.get("header", _NOTHING)
-            # Anything that is no mapping is left to the codec, which says what is wrong with it.
-            if isinstance(header, abc.Mapping) and "seq" not in header:
-                fields = {**fields, "header": {**header, "seq": publisher.seq}}
+    def _encode(self, publisher: _Publisher, fields: Mapping[str, Any]) -> bytes:
         try:
-            return self.codec.encode(outgoing.type, fields)
+            raw = self.codec.encode(publisher.connection.type, fields)
         except TransportError as error:
-            raise TransportError(f"{node.name} on {publisher.connection.topic}: {error}") from error
+            raise TransportError(f"{publisher.node.name} on {publisher.connection.topic}: {error}") from error
+        if publisher.header:
+            header = fields.get(publisher.header)
+            if header is None or "seq" not in header:
+                return _seq_word(publisher.seq) + raw[4:]
+        return raw

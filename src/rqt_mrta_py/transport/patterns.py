@@ -68,6 +68,11 @@ class TopicPattern:
                 end = token.end()
             self._expression = re.compile(text + re.escape(topic[end:]) + r"\Z")
 
+    @property
+    def is_literal(self) -> bool:
+        """Tell whether exactly one topic is meant, the one of this name."""
+        return self._expression is None and self.topic != EVERYTHING
+
     def match(self, topic: str) -> Optional[Tuple[str, str]]:
         """Tell whether a topic is meant.
 

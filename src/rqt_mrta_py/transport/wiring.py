@@ -1,0 +1,182 @@
+"""Who hears what on the embedded bus: subscriptions and topics, each looked up once for all that are alike."""
+
+from __future__ import annotations
+
+import logging
+from itertools import count
+from typing import Callable, Dict, Iterator, List, NamedTuple, Optional, Set, Tuple
+
+from rqt_mrta_py.errors import TransportError
+from rqt_mrta_py.hooks import Codec, Connection, FieldReader, Heard, Subscription
+from rqt_mrta_py.transport.inbox import Hearing, Inbox
+from rqt_mrta_py.transport.patterns import TopicPattern
+
+__all__ = ["Ear", "Receiver", "Topic", "Wiring"]
+
+_LOG = logging.getLogger(__name__)
+
+_Tokens = Tuple[str, str]
+"""What ``@robot_id@`` and ``@task_id@`` stand for."""
+
+
+class Ear(NamedTuple):
+    """A subscription of a node.
+
+    Attributes:
+        place: of the node among all nodes, and of the subscription among the node's.
+        node: resolved name.
+        robot: id of the robot that the node runs on; empty if on none.
+        inbox: of the node.
+        topic: resolved, perhaps with tokens, or EVERYTHING.
+        subscription: as the node made it.
+        callback: is told of each message.
+    """
+
+    place: Tuple[int, int]
+    node: str
+    robot: str
+    inbox: Inbox
+    topic: str
+    subscription: Subscription
+    callback: Callable[[Heard], None]
+
+
+class Receiver(NamedTuple):
+    """A node that hears a topic, with the subscriptions that mean it."""
+
+    robot: str
+    inbox: Inbox
+    hearings: Tuple[Hearing, ...]
+
+
+class Topic:
+    """A topic that somebody publishes.
+
+    Attributes:
+        name: resolved.
+        ordinals: numbers its messages from 0.
+        version: changes with everybody who begins to hear it.
+        receivers: of its messages, by type and definition, for this version.
+    """
+
+    __slots__ = ("groups", "name", "ordinals", "receivers", "version")
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.ordinals: Iterator[int] = count()
+        self.version = 0
+        self.receivers: Dict[Tuple[str, str], Tuple[Receiver, ...]] = {}
+        self.groups: List[Tuple[_Group, _Tokens]] = []
+
+
+class _Group:
+    """All ears with the same topic, and the topics that they mean."""
+
+    __slots__ = ("ears", "meant", "pattern")
+
+    def __init__(self, pattern: TopicPattern) -> None:
+        self.pattern = pattern
+        self.ears: List[Ear] = []
+        self.meant: List[Tuple[Topic, _Tokens]] = []
+
+
+class Wiring:
+    """Joins ears and topics, whichever come first.
+
+    Args:
+        codec: reads the messages.
+    """
+
+    def __init__(self, codec: Codec) -> None:
+        self._codec = codec
+        self._topics: Dict[str, Topic] = {}
+        self._groups: Dict[str, _Group] = {}
+        # Groups that may mean more than one topic; the others are found by its name.
+        self._patterns: List[_Group] = []
+        self._refused: Set[Tuple[Tuple[int, int], str, str]] = set()
+
+    def topic(self, name: str) -> Topic:
+        """Give a topic by its name, and make it when it is first asked for."""
+        topic = self._topics.get(name)
+        if topic is None:
+            topic = self._topics[name] = Topic(name)
+            literal = self._groups.get(name)
+            for group in self._patterns if literal is None else (literal, *self._patterns):
+                self._meet(group, topic)
+        return topic
+
+    def add(self, ear: Ear) -> List[Tuple[Topic, _Tokens]]:
+        """Take in a new ear.
+
+        Returns:
+            The topics that it means, so far, with what the tokens stand for.
+        """
+        group = self._groups.get(ear.topic)
+        if group is None:
+            group = self._groups[ear.topic] = _Group(TopicPattern(ear.topic))
+            if group.pattern.is_literal:
+                topics = [self._topics[ear.topic]] if ear.topic in self._topics else []
+            else:
+                self._patterns.append(group)
+                topics = list(self._topics.values())
+            for topic in topics:
+                self._meet(group, topic)
+        group.ears.append(ear)
+        for topic, _ in group.meant:
+            topic.version += 1
+            topic.receivers.clear()
+        return group.meant
+
+    def receivers(self, topic: Topic, connection: Connection) -> Tuple[Receiver, ...]:
+        """Tell who hears a publisher, in the order of nodes, each with its subscriptions in their order.
+
+        Args:
+            topic: of the publisher.
+            connection: of the publisher.
+        """
+        key = (connection.type, connection.definition)
+        found = topic.receivers.get(key)
+        if found is None:
+            found = topic.receivers[key] = self._receivers(topic, connection)
+        return found
+
+    def hearing(self, ear: Ear, tokens: _Tokens, connection: Connection) -> Optional[Hearing]:
+        """Join an ear and a publisher of a topic that it means.
+
+        Returns:
+            How it hears; None where it cannot, which is logged once.
+        """
+        paths, wanted = ear.subscription.fields, ear.subscription.type
+        reader: Optional[FieldReader] = None
+        if wanted and wanted != connection.type:
+            self._refuse(ear, connection, f"it carries {connection.type}, subscribed to as {wanted}")
+            return None
+        if paths:
+            try:
+                reader = self._codec.compile(connection, paths)
+            except TransportError as error:
+                self._refuse(ear, connection, str(error))
+                return None
+        return Hearing(ear.callback, tokens[0], tokens[1], paths, reader)
+
+    def _receivers(self, topic: Topic, connection: Connection) -> Tuple[Receiver, ...]:
+        ears = [(ear, tokens) for group, tokens in topic.groups for ear in group.ears]
+        nodes: Dict[int, Tuple[Ear, List[Hearing]]] = {}
+        for ear, tokens in sorted(ears, key=lambda item: item[0].place):
+            hearing = self.hearing(ear, tokens, connection)
+            if hearing is not None:
+                nodes.setdefault(ear.place[0], (ear, []))[1].append(hearing)
+        return tuple(Receiver(ear.robot, ear.inbox, tuple(hearings)) for ear, hearings in nodes.values())
+
+    def _refuse(self, ear: Ear, connection: Connection, reason: str) -> None:
+        key = (ear.place, connection.topic, connection.type)
+        if key not in self._refused:
+            self._refused.add(key)
+            _LOG.warning("a subscription is not served node=%s topic=%s reason=%s", ear.node, connection.topic, reason)
+
+    @staticmethod
+    def _meet(group: _Group, topic: Topic) -> None:
+        tokens = group.pattern.match(topic.name)
+        if tokens is not None:
+            group.meant.append((topic, tokens))
+            topic.groups.append((group, tokens))
