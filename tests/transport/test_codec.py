@@ -9,6 +9,7 @@ import pytest
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.transport import RosCodec
+from rqt_mrta_py.transport.values import Texts
 from tests.transport.support import connection, lookup
 
 MOTIVATION = {
@@ -299,3 +300,25 @@ def test_connection_carries_md5_and_the_text_that_its_reader_needs() -> None:
     )
     assert made.md5 == "cd5e73d190d741a2f92e81eda573aca7"
     assert RosCodec({}.get).compile(made, ("pose/pose/position/x",))(bytes(700)) == (0.0,)
+
+
+@pytest.mark.parametrize("nothing", ["", [], (), frozenset()])
+def test_a_message_without_fields_is_still_no_other_empty_thing(codec: RosCodec, nothing: Any) -> None:
+    assert codec.encode("odd/Empty", {}) == b""
+    with pytest.raises(TransportError, match=r"odd/Empty: the message: .* does not fit"):
+        codec.encode("odd/Empty", nothing)
+
+
+def test_many_different_strings_do_not_pile_up() -> None:
+    texts = Texts()
+    for number in range(10_000):
+        assert texts[f"s{number}"][4:] == f"s{number}".encode()
+    assert len(texts) < 5000
+    assert texts["long " * 100] == struct.pack("<I", 500) + b"long " * 100
+    assert "long " * 100 not in texts
+
+
+def test_a_huge_array_of_fixed_length_costs_nothing_until_it_is_written() -> None:
+    codec = RosCodec(lambda name: f"uint8[{2**33}] many\nbool ok" if name == "odd/Huge" else None)
+    with pytest.raises(TransportError, match=r"odd/Huge: many: 1 elements; accepted is a list of uint8, 8589934592 of"):
+        codec.encode("odd/Huge", {"many": [1]})

@@ -45,9 +45,9 @@ def primitives(type_name: str) -> st.SearchStrategy[Any]:
     }[type_name]
 
 
-def messages(definition: Definition, type_name: str) -> st.SearchStrategy[Dict[str, Any]]:
+def messages(definition: Definition, type_name: str, complete: bool = True) -> st.SearchStrategy[Dict[str, Any]]:
     def of(item: Field) -> st.SearchStrategy[Any]:
-        element = primitives(item.type) if item.is_primitive else messages(definition, item.type)
+        element = primitives(item.type) if item.is_primitive else messages(definition, item.type, complete)
         if not item.is_array:
             return element
         if item.type in ("uint8", "char"):
@@ -57,7 +57,26 @@ def messages(definition: Definition, type_name: str) -> st.SearchStrategy[Dict[s
             return element.map(lambda value: [value] * item.length)
         return st.lists(element, **size)
 
-    return st.fixed_dictionaries({item.name: of(item) for item in definition.specs[type_name].fields})
+    fields = {item.name: of(item) for item in definition.specs[type_name].fields}
+    return st.fixed_dictionaries(fields) if complete else st.fixed_dictionaries({}, optional=fields)
+
+
+def completed(definition: Definition, type_name: str, fields: Dict[str, Any]) -> Dict[str, Any]:
+    """Put its zero in the place of whatever is left out."""
+
+    def element(item: Field, value: Any = None) -> Any:
+        if not item.is_primitive:
+            return completed(definition, item.type, value or {})
+        zeros = {"string": "", "bool": False, "time": 0.0, "duration": 0.0, "float32": 0.0, "float64": 0.0}
+        return zeros.get(item.type, 0) if value is None else value
+
+    def whole(item: Field) -> Any:
+        value = fields.get(item.name)
+        if not item.is_array:
+            return element(item, value)
+        return [element(item, part) for part in ([None] * (item.length or 0) if value is None else value)]
+
+    return {item.name: whole(item) for item in definition.specs[type_name].fields}
 
 
 @pytest.fixture(scope="module")
@@ -126,3 +145,13 @@ def test_codec_writes_the_bytes_that_rosbags_writes_and_reads_them_back(
     names: List[str] = [item.name for item in definition.root.fields]
     paths = data.draw(st.lists(st.sampled_from(names), max_size=3))
     assert same(list(CODEC.compile(connection, paths)(raw)), [fields[path] for path in paths])
+
+
+@pytest.mark.parametrize("type_name", TYPES)
+@settings(max_examples=25, deadline=None)
+@given(data=st.data())
+def test_what_is_left_out_at_any_depth_is_zero(store: Any, type_name: str, data: st.DataObject) -> None:
+    definition = LIBRARY.definition(type_name)
+    fields = data.draw(messages(definition, type_name, complete=False))
+    made = as_rosbags(store, definition, type_name, completed(definition, type_name, fields))
+    assert CODEC.encode(type_name, fields) == bytes(store.serialize_ros1(made, type_name.replace("/", "/msg/")))

@@ -7,16 +7,22 @@ with them is then looked up by ``faults``, off the hot path.
 from __future__ import annotations
 
 import struct
+from functools import lru_cache
 from typing import Any, Callable, Dict, List, Mapping, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.transport.definitions import Definition, Field
 from rqt_mrta_py.transport.faults import find_fault
+from rqt_mrta_py.transport.values import Texts, bytes_of, elements_of, truth_of, truths_of, words_of
 from rqt_mrta_py.transport.wire import BYTE_TYPES, NUMBERS, WORDS, Sizes, duration_words, time_words
 
 __all__ = ["compile_encoder"]
 
-_NOTHING: Mapping[str, Any] = {}
+_FAULTS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, struct.error)
+"""What Python raises for values that do not fit."""
+
+_NO_ELEMENTS = r"b'\0\0\0\0'"
+"""A string or an array of any length, on the wire, with nothing in it."""
 
 
 def compile_encoder(definition: Definition) -> Callable[[Mapping[str, Any]], bytes]:
@@ -28,78 +34,35 @@ def compile_encoder(definition: Definition) -> Callable[[Mapping[str, Any]], byt
     Returns:
         From nested fields to bytes; raises TransportError naming type and path for what does not fit.
     """
-    Sizes(definition)
-    encode = _EncoderText(definition).build()
 
-    def checked(fields: Mapping[str, Any]) -> bytes:
-        try:
-            return encode(fields)
-        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, struct.error) as error:
-            fault = find_fault(definition, fields) or str(error)
-            raise TransportError(f"{definition.type}: {fault}") from error
+    def fault(fields: Any, error: Exception) -> TransportError:
+        return TransportError(f"{definition.type}: {find_fault(definition, fields) or error}")
 
-    return checked
-
-
-def _elements(value: Any) -> Any:
-    """Give the elements of an array's value: a list or tuple as it is, a NumPy array as a list."""
-    if isinstance(value, (list, tuple, bytes, bytearray)):
-        return value
-    if getattr(value, "ndim", None) == 1:
-        return value.tolist()
-    raise TypeError("not an array")
-
-
-def _bytes(value: Any) -> bytes:
-    """Give an array of bytes as bytes."""
-    if isinstance(value, (bytes, bytearray, memoryview)):
-        return bytes(value)
-    if getattr(value, "dtype", None) == "uint8" and value.ndim == 1:
-        raw: bytes = value.tobytes()
-        return raw
-    return bytes(_elements(value))
-
-
-def _truth(value: Any) -> bool:
-    """Give a truth value, which may also be NumPy's or 0 or 1."""
-    if value in (0, 1) and not isinstance(value, float):
-        return bool(value)
-    raise TypeError("not a truth value")
-
-
-def _truths(value: Any) -> List[bool]:
-    return [_truth(item) for item in _elements(value)]
-
-
-def _words(split: Callable[[float], Tuple[int, int]], value: Any) -> List[int]:
-    return [word for item in _elements(value) for word in split(item)]
-
-
-def _string(value: Any) -> bytes:
-    if not isinstance(value, str):
-        raise TypeError("not a string")
-    raw = value.encode()
-    return struct.pack("<I", len(raw)) + raw
+    return _EncoderText(definition, fault).build()
 
 
 class _EncoderText:
     """The text of one encoder and of the helpers it calls for elements of arrays."""
 
-    def __init__(self, definition: Definition) -> None:
+    def __init__(self, definition: Definition, fault: Callable[[Any, Exception], TransportError]) -> None:
         self._definition = definition
+        self._sizes = Sizes(definition)
         self._space: Dict[str, Any] = {
-            "NOTHING": _NOTHING,
             "MISSING": object(),
+            "ZERO": b"\0",
             "Misfit": ValueError,
+            "FAULTS": _FAULTS,
+            "fault": fault,
             "pack": struct.pack,
-            "elements": _elements,
-            "as_bytes": _bytes,
-            "truth": _truth,
-            "truths": _truths,
-            "words": _words,
-            "time_words": time_words,
-            "duration_words": duration_words,
-            "write_string": _string,
+            "texts": Texts(),
+            "elements": elements_of,
+            "as_bytes": bytes_of,
+            "truth": truth_of,
+            "truths": truths_of,
+            "words": words_of,
+            # Most messages of a tick carry its time. Types are told apart, for True is no time although it is 1.
+            "time_words": lru_cache(maxsize=16, typed=True)(time_words),
+            "duration_words": lru_cache(maxsize=16, typed=True)(duration_words),
             "join": b"".join,
         }
         self._helpers: List[str] = []
@@ -107,9 +70,14 @@ class _EncoderText:
 
     def build(self) -> Callable[[Mapping[str, Any]], bytes]:
         """Compile the text and give the function."""
-        root = self.helper(self._definition.type)
-        exec(compile("".join(self._helpers), "<encoder of messages>", "exec"), self._space)
-        function: Callable[[Mapping[str, Any]], bytes] = self._space[root]
+        body = self._body(self._definition.type)
+        text = "".join(self._helpers) + (
+            "def write(f):\n    try:\n"
+            + "".join(f"        {line}\n" for line in body)
+            + "    except FAULTS as error:\n        raise fault(f, error) from error\n"
+        )
+        exec(compile(text, "<encoder of messages>", "exec"), self._space)
+        function: Callable[[Mapping[str, Any]], bytes] = self._space["write"]
         return function
 
     def constant(self, prefix: str, value: Any) -> str:
@@ -123,42 +91,54 @@ class _EncoderText:
         name = self._known.get(type_name)
         if name is None:
             name = self._known[type_name] = f"write_{len(self._known)}"
-            walk = _Walk(self, self._definition)
-            walk.message(type_name, "f")
-            lines = [*walk.lines, walk.result()]
-            self._helpers.append(f"def {name}(f):\n" + "".join(f"    {line}\n" for line in lines))
+            body = self._body(type_name)
+            self._helpers.append(f"def {name}(f):\n" + "".join(f"    {line}\n" for line in body))
         return name
+
+    def _body(self, type_name: str) -> List[str]:
+        walk = _Walk(self, self._definition, self._sizes)
+        walk.message(type_name, "f")
+        return [*walk.lines, walk.result()]
 
 
 class _Walk:
-    """Lines that take the fields of one message apart, and the chunks of bytes they become."""
+    """Lines that take the fields of one message apart, and the chunks of bytes they become.
 
-    def __init__(self, text: _EncoderText, definition: Definition) -> None:
+    A contained message that is left out is not taken apart: a second branch sets its parts to their zeros.
+    """
+
+    def __init__(self, text: _EncoderText, definition: Definition, sizes: Sizes) -> None:
         self.lines: List[str] = []
         self._text = text
         self._definition = definition
+        self._sizes = sizes
         self._codes: List[str] = []
         self._values: List[str] = []
         self._chunks: List[str] = []
         self._count = 0
+        self._indent = ""
 
-    def message(self, type_name: str, source: str) -> None:
-        """Take apart one message, which the variable ``source`` holds."""
+    def message(self, type_name: str, source: str) -> List[Tuple[str, str]]:
+        """Take apart one message, which the variable ``source`` holds.
+
+        Returns:
+            The variables that its parts stand in, each with the text of its zero.
+        """
         fields = self._definition.specs[type_name].fields
         known = self._text.constant("known", frozenset(item.name for item in fields))
-        self.lines.append(f"if not {source}.keys() <= {known}: raise Misfit")
+        self._line(f"if not {known}.issuperset({source}): raise Misfit")
+        parts: List[Tuple[str, str]] = []
         for item in fields:
-            name = self._name()
             if item.is_array:
-                default = "()" if item.length is None else "MISSING"
-                self._get(name, source, item.name, default)
-                self._array(item, name)
-            elif not item.is_primitive:
-                self._get(name, source, item.name, "NOTHING")
-                self.message(item.type, name)
+                parts.append(self._array(item, source))
+            elif item.is_primitive:
+                parts.extend(self._primitive(item, source))
             else:
-                self._get(name, source, item.name, {"string": "''", "bool": "False"}.get(item.type, "0"))
-                self._primitive(item.type, name)
+                parts.extend(self._contained(item, source))
+        if not fields:
+            # An empty list has passed so far.
+            self._line(f"{source}.keys")
+        return parts
 
     def result(self) -> str:
         """Give the line that returns the bytes."""
@@ -167,12 +147,12 @@ class _Walk:
             return f"return {self._chunks[0]}"
         return f"return join(({', '.join(self._chunks)}{',' if self._chunks else ''}))"
 
+    def _line(self, text: str) -> None:
+        self.lines.append(self._indent + text)
+
     def _name(self) -> str:
         self._count += 1
         return f"v{self._count}"
-
-    def _get(self, name: str, source: str, field: str, default: str) -> None:
-        self.lines.append(f"{name} = {source}.get('{field}', {default})")
 
     def _pack(self, code: str, value: str) -> None:
         self._codes.append(code)
@@ -184,46 +164,69 @@ class _Walk:
             self._chunks.append(f"{pack}({', '.join(self._values)})")
             self._codes, self._values = [], []
 
-    def _chunk(self, expression: str) -> None:
+    def _chunk(self, name: str) -> None:
         self._flush()
-        self._chunks.append(expression)
+        self._chunks.append(name)
 
-    def _primitive(self, type_name: str, name: str) -> None:
-        if type_name == "string":
-            self.lines.append(f"if not isinstance({name}, str): raise Misfit")
-            self.lines.append(f"{name} = {name}.encode()")
-            self._pack("I", f"len({name})")
+    def _contained(self, item: Field, source: str) -> List[Tuple[str, str]]:
+        name = self._name()
+        self._line(f"{name} = {source}.get('{item.name}', MISSING)")
+        self._line(f"if {name} is not MISSING:")
+        self._indent += "    "
+        parts = self.message(item.type, name)
+        self._indent = self._indent[4:]
+        if parts:
+            self._line("else:")
+            for zero in sorted({zero for _, zero in parts}):
+                targets = [part for part, own in parts if own == zero]
+                self._line(f"    {' = '.join(targets)} = {zero}")
+        return parts
+
+    def _primitive(self, item: Field, source: str) -> List[Tuple[str, str]]:
+        name = self._name()
+        if item.type == "string":
+            self._line(f"{name} = texts[{source}.get('{item.name}', '')]")
             self._chunk(name)
-        elif type_name in WORDS:
-            seconds, nanoseconds = self._name(), self._name()
-            self.lines.append(f"{seconds}, {nanoseconds} = {type_name}_words({name})")
-            self._pack(WORDS[type_name][0], seconds)
-            self._pack(WORDS[type_name][1], nanoseconds)
-        else:
-            if type_name == "bool":
-                self.lines.append(f"if {name} is not True and {name} is not False: {name} = truth({name})")
-            self._pack(NUMBERS[type_name], name)
+            return [(name, _NO_ELEMENTS)]
+        if item.type in WORDS:
+            seconds = self._name()
+            self._line(f"{seconds}, {name} = {item.type}_words({source}.get('{item.name}', 0))")
+            self._pack(WORDS[item.type][0], seconds)
+            self._pack(WORDS[item.type][1], name)
+            return [(seconds, "0"), (name, "0")]
+        zero = "False" if item.type == "bool" else "0"
+        self._line(f"{name} = {source}.get('{item.name}', {zero})")
+        if item.type == "bool":
+            self._line(f"if {name} is not True and {name} is not False: {name} = truth({name})")
+        self._pack(NUMBERS[item.type], name)
+        return [(name, zero)]
 
-    def _array(self, item: Field, name: str) -> None:
-        if item.length is not None:
-            # The zero of an array of fixed length is made only when it is needed.
-            zero = "NOTHING" if not item.is_primitive else "''" if item.type == "string" else "0"
-            self.lines.append(f"if {name} is MISSING: {name} = ({zero},) * {item.length}")
-        count = self._name()
+    def _array(self, item: Field, source: str) -> Tuple[str, str]:
+        name = self._name()
+        zero = _NO_ELEMENTS if item.length is None else f"ZERO * {self._sizes.element(item) * item.length}"
+        self._line(f"{name} = {source}.get('{item.name}', MISSING)")
+        self._line(f"if {name} is MISSING: {name} = {zero}")
+        self._line("else:")
+        self._indent += "    "
         if item.type in BYTE_TYPES:
-            self.lines.append(f"{name} = as_bytes({name})")
+            self._line(f"{name} = as_bytes({name})")
         elif item.type == "bool":
-            self.lines.append(f"{name} = truths({name})")
+            self._line(f"{name} = truths({name})")
         else:
-            self.lines.append(
-                f"if {name}.__class__ is not list and {name}.__class__ is not tuple: {name} = elements({name})"
-            )
-        self.lines.append(f"{count} = len({name})")
+            self._line(f"if {name}.__class__ is not list and {name}.__class__ is not tuple: {name} = elements({name})")
+        count = self._name()
+        self._line(f"{count} = len({name})")
+        content = self._content(item, name, count)
         if item.length is not None:
-            self.lines.append(f"if {count} != {item.length}: raise Misfit")
+            self._line(f"if {count} != {item.length}: raise Misfit")
+            self._line(f"{name} = {content}")
+        elif item.type in NUMBERS and item.type not in BYTE_TYPES:
+            self._line(f"{name} = pack('<I%d{NUMBERS[item.type]}' % {count}, {count}, *{name})")
         else:
-            self._pack("I", count)
-        self._chunk(self._content(item, name, count))
+            self._line(f"{name} = pack('<I', {count}) + {content}")
+        self._indent = self._indent[4:]
+        self._chunk(name)
+        return name, zero
 
     def _content(self, item: Field, name: str, count: str) -> str:
         if item.type in BYTE_TYPES:
@@ -232,5 +235,5 @@ class _Walk:
             return f"pack('<%d{NUMBERS[item.type]}' % {count}, *{name})"
         if item.type in WORDS:
             return f"pack('<%d{WORDS[item.type][0]}' % (2 * {count}), *words({item.type}_words, {name}))"
-        writer = "write_string" if item.type == "string" else self._text.helper(item.type)
-        return f"join([{writer}(item) for item in {name}])"
+        writer = "texts.__getitem__" if item.type == "string" else self._text.helper(item.type)
+        return f"join(map({writer}, {name}))"
