@@ -13,7 +13,8 @@ from rqt_mrta_py.app.blocking import is_blocked, warn_of_blocking
 from rqt_mrta_py.app.environment import plugin_settings
 from rqt_mrta_py.app.guard import guarded_renderer
 from rqt_mrta_py.app.own_plugins import OWN_PLUGINS
-from rqt_mrta_py.config import Registry, discover
+from rqt_mrta_py.app.registry import registry_only
+from rqt_mrta_py.config import Registry
 from rqt_mrta_py.errors import HookError, Problem
 from rqt_mrta_py.hooks import Codec, Renderer
 from rqt_mrta_py.hooks.loading import load_plugins
@@ -21,7 +22,7 @@ from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.hooks.patience import Patience
 from rqt_mrta_py.hooks.trace import HookTrace
 
-__all__ = ["Host", "compose", "registry_only"]
+__all__ = ["Host", "compose"]
 
 
 class Host:
@@ -60,11 +61,6 @@ class Host:
         return None if path is None else path.read_text(encoding="utf-8")
 
 
-def registry_only() -> Registry:
-    """Look for packages without importing any plugin's code."""
-    return discover(os.environ)
-
-
 def compose() -> Host:
     """Look for packages and load every plugin: this project's own rooms last, so that a package may replace a name.
 
@@ -75,7 +71,8 @@ def compose() -> Host:
     settings = plugin_settings(os.environ)
     registry = registry_only()
     warn_of_blocking(registry, settings.blocked)
-    manager = PluginManager(Patience(settings.patience), _trace() if settings.trace else None)
+    patience = Patience() if settings.patience is None else Patience(settings.patience)
+    manager = PluginManager(patience, _trace() if settings.trace else None)
     wanted = [each for each in registry.registrations if not is_blocked(each, settings.blocked)]
     problems = [*registry.problems, *load_plugins(wanted, manager)]
     for name in OWN_PLUGINS:

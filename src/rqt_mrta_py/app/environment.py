@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Mapping, Tuple
+from typing import Mapping, Optional, Tuple
 
 from rqt_mrta_py.errors import UsageError
-from rqt_mrta_py.hooks.patience import DEFAULT_PATIENCE
 
 __all__ = ["BLOCK", "PATIENCE", "TRACE", "PluginSettings", "plugin_settings"]
 
@@ -25,12 +24,12 @@ class PluginSettings:
     Attributes:
         trace: write each hook call down.
         blocked: names of plugins' modules or packages that are neither imported nor registered.
-        patience: how long one answer may take; 0: no limit [s].
+        patience: how long one answer may take; 0: no limit; None: as ever [s].
     """
 
     trace: bool = False
     blocked: Tuple[str, ...] = ()
-    patience: float = DEFAULT_PATIENCE
+    patience: Optional[float] = None
 
 
 def plugin_settings(environ: Mapping[str, str]) -> PluginSettings:
@@ -56,9 +55,9 @@ def _switch(text: str) -> bool:
     return text == "1"
 
 
-def _seconds(text: str) -> float:
+def _seconds(text: str) -> Optional[float]:
     if not text:
-        return DEFAULT_PATIENCE
+        return None
     try:
         seconds = float(text)
     except ValueError:

@@ -83,6 +83,10 @@ class PluginManager:
         """The registered plugins, in order."""
         return tuple(self._names)
 
+    def implementers(self, hook: str) -> Tuple[str, ...]:
+        """List the plugins that implement a hook, in the order in which they are asked."""
+        return tuple(implementation.plugin for implementation in self._asked(hook))
+
     def register(self, plugin: object, name: str) -> None:
         """Take a plugin in.
 
