@@ -31,7 +31,7 @@ def stranger(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def short_run(mrta: Mrta) -> Tuple[int, List[str]]:
-    return mrta("run", "border_patrol", "--duration", "1", "--pictures", "0")
+    return mrta("run", "border_patrol", "--duration", "1", "--pictures", "0", "--processes", "1")
 
 
 def test_a_plugin_that_fails_to_import_is_reported_and_skipped(mrta: Mrta, stranger: Path) -> None:

@@ -57,7 +57,9 @@ def test_an_interrupt_while_results_are_written_leaves_all_of_them(
 
     monkeypatch.setattr(results, "write_picture", interrupted_write_picture)
     folder = tmp_path / "out"
-    what: Tuple[str, ...] = ("border_patrol", "--duration", "1") if verb == "run" else (str(patrol.bag),)
+    what: Tuple[str, ...] = (
+        ("border_patrol", "--duration", "1", "--processes", "1") if verb == "run" else (str(patrol.bag),)
+    )
     assert main([verb, *what, "--pictures", "100", "--out", str(folder)]) == 130
     assert names(folder) == COMPLETE | ({"mission.bag"} if verb == "run" else set())
 

@@ -12,11 +12,12 @@ from typing import Dict
 FILES = ("mission.bag", "summary.json", "events.jsonl", "incidents.jsonl")
 
 
-def run(folder: Path, hash_seed: str, seed: str, packages: str = "") -> Dict[str, str]:
+def run(folder: Path, hash_seed: str, seed: str, packages: str = "", processes: str = "2") -> Dict[str, str]:
     """Run the mission in a process of its own and give the digest of each file."""
     folder.mkdir()
     environment = {**os.environ, "PYTHONHASHSEED": hash_seed, "ROS_PACKAGE_PATH": packages}
     command = [sys.executable, "-m", "rqt_mrta_py", "run", "border_patrol", "--seed", seed, "--duration", "25", "-q"]
+    command += ["--processes", processes]
     subprocess.run([*command, "--out", str(folder / "out")], check=True, cwd=str(folder), env=environment, timeout=300)
     return {name: hashlib.sha256((folder / "out" / name).read_bytes()).hexdigest() for name in FILES}
 
@@ -35,6 +36,12 @@ def test_process_folder_hash_seed_and_an_installed_ros_leave_the_bytes_alone(tmp
     packages = installed_std_msgs(tmp_path / "ros")
     second = run(tmp_path / "a longer folder with blanks", hash_seed="4711", seed="5", packages=packages)
     assert second == first
+
+
+def test_watching_in_the_same_process_or_in_another_leaves_the_bytes_alone(tmp_path: Path) -> None:
+    alone = run(tmp_path / "alone", hash_seed="3", seed="5", processes="1")
+    shared = run(tmp_path / "shared", hash_seed="3", seed="5", processes="2")
+    assert shared == alone
 
 
 def test_another_seed_writes_another_bag(tmp_path: Path) -> None:

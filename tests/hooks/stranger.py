@@ -26,6 +26,7 @@ from rqt_mrta_py.hooks import (
     PanelSetup,
     ParameterProblem,
     Perception,
+    PlannerSetup,
     RobotModel,
     RuleSetup,
     SensorContext,
@@ -64,6 +65,7 @@ SCENARIO = ScenarioSpec(
     obstacles=(),
     robots=(RobotSetup("mole1", "mole", Pose(1.5, 0.0), (SensorSetup("odometer", "mileage", 10.0),)),),
     world="burrow",
+    planner="tunnels",
     control_rate=10,
 )
 MISSION = Mission(
@@ -102,6 +104,16 @@ class AfterAWhile:
 
     def is_applicable(self, now: float, sensors: Sequence[SensorReading]) -> bool:
         return now >= 1.5
+
+
+class Tunnels:
+    """Goes straight to where a mole wants to go."""
+
+    def __init__(self, setup: PlannerSetup) -> None:
+        self.setup = setup
+
+    def path(self, start: Pose, goal: Pose) -> Optional[Sequence[Pose]]:
+        return (goal,)
 
 
 class Digging:
@@ -208,6 +220,10 @@ class Stranger:
     @hookimpl
     def mrta_register_sensory_evaluators(self) -> Mapping[str, Any]:
         return {"stranger/after_a_while": AfterAWhile}
+
+    @hookimpl
+    def mrta_register_planners(self) -> Mapping[str, Any]:
+        return {"tunnels": Tunnels}
 
     @hookimpl
     def mrta_register_worlds(self) -> Mapping[str, Any]:

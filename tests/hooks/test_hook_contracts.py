@@ -10,13 +10,17 @@ import pytest
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.embedded import EmbeddedRun
 from rqt_mrta_py.app.observation import Observation
+from rqt_mrta_py.app.outputs import OutputFolder
+from rqt_mrta_py.app.picture_files import PictureFiles
 from rqt_mrta_py.app.pictures import PictureSchedule
+from rqt_mrta_py.app.watch import WatchPlan, open_watch
 from rqt_mrta_py.config import discover, load_mission
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.hooks import Stamped
 from rqt_mrta_py.hooks.contract import HOOKS
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import MissionRecord, Twist
+from rqt_mrta_py.transport import read_bag
 from tests.hooks.stranger import MISSION, MOLE, Stranger
 
 
@@ -37,17 +41,21 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
     manager.register(stranger, "stranger")
     host = Host(discover({}, prefix="/nowhere", shares=(), distributions=()), manager, [])
     codec = host.codec()
+    folder = OutputFolder(tmp_path_factory.mktemp("out"))
+    monitor = folder.monitor(wanted=True)
     observation = Observation(MISSION, codec, manager, 1.5)
-    run = EmbeddedRun(MISSION, 1.5, codec, manager, observation)
-    folder = tmp_path_factory.mktemp("pictures")
-    stream: List[Stamped] = []
-    run.attach(stream.append, PictureSchedule(host.renderer("monitor"), folder, 5, 10))
-    for tick in range(run.last_tick + 1):
-        run.step(tick)
-    record = observation.finish()
+    run = EmbeddedRun(MISSION, 1.5, codec, manager)
+    pictures = PictureSchedule(host.renderer("monitor"), 5, 10, PictureFiles(monitor))
+    plan = WatchPlan(observation, folder, run.clock, run.last_tick, False, pictures, None, {})
+    with open_watch(plan, run.bus) as watch:
+        run.attach(watch)
+        for tick in range(run.last_tick + 1):
+            run.step(tick)
+        record = watch.finish().record
     run.close()
+    stream = list(read_bag(folder.path / "mission.bag"))
     heard = [(each.connection.topic, codec.decode(each.connection, each.raw)) for each in stream]
-    return Story(stranger, stream, heard, record, sorted(folder.iterdir()))
+    return Story(stranger, stream, heard, record, sorted(monitor.iterdir()))
 
 
 def said(story: Story, topic: str) -> List[Any]:

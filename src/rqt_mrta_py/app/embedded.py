@@ -1,53 +1,22 @@
-"""The loop of an embedded run: one process, one integer tick, everything in a defined order."""
+"""The team's side of an embedded run: one integer tick, everything in a defined order."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Callable, List, Optional, Set
+from typing import List, Optional, Set
 
 from rqt_mrta_py.app.chance import Purpose, generator
 from rqt_mrta_py.app.mission_message import mission_message
-from rqt_mrta_py.app.observation import Observation
-from rqt_mrta_py.app.pictures import PictureSchedule
+from rqt_mrta_py.app.run_clock import RunClock
 from rqt_mrta_py.app.team import Member, build_team
+from rqt_mrta_py.app.watch import SUPERVISOR_TOPICS, Watcher
 from rqt_mrta_py.errors import UsageError
-from rqt_mrta_py.hooks import Codec, Outgoing, Stamped
+from rqt_mrta_py.hooks import Codec, Outgoing
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Mission, ScenarioSpec
-from rqt_mrta_py.render import team_markers
-from rqt_mrta_py.sim import PerfectLink, Simulation, first_tick_at, label_of
+from rqt_mrta_py.sim import PerfectLink, Simulation, label_of
 from rqt_mrta_py.transport import Bus
 
-__all__ = ["STATE_PERIOD", "EmbeddedRun", "RunClock"]
-
-STATE_PERIOD = 1
-"""The team's state and its markers are published once in so many seconds [s]."""
-
-_NS = 1_000_000_000
-_END_OF_TIME_NS = 2**32 * _NS
-
-
-@dataclass(frozen=True)
-class RunClock:
-    """Mission time as an integer tick.
-
-    Attributes:
-        rate: ticks a second [Hz].
-    """
-
-    rate: int
-
-    def stamp_ns(self, tick: int) -> int:
-        """Give a tick's stamp [ns]; mission second s carries stamp s + 1, for ROS takes 0 as unset."""
-        return _NS + tick * _NS // self.rate
-
-    def stamp(self, tick: int) -> float:
-        """Give a tick's stamp [s]."""
-        return self.stamp_ns(tick) / _NS
-
-    def ticks(self, seconds: float) -> int:
-        """Give the tick at or next after a mission time [s]."""
-        return first_tick_at(seconds, self.rate)
+__all__ = ["EmbeddedRun"]
 
 
 class EmbeddedRun:
@@ -59,7 +28,6 @@ class EmbeddedRun:
         duration: float,
         codec: Codec,
         manager: PluginManager,
-        observation: Observation,
     ) -> None:
         """Build the world and the team; nothing moves or is said yet.
 
@@ -68,7 +36,6 @@ class EmbeddedRun:
             duration: of the mission [s].
             codec: writes and reads messages.
             manager: plugins, loaded.
-            observation: hears the stream.
 
         Raises:
             UsageError: the mission says nothing of what is simulated, no time passes, or more than ROS can tell.
@@ -78,8 +45,7 @@ class EmbeddedRun:
             raise UsageError(f"{mission.application.package}: has no scenario, so there is nothing to simulate")
         self._scenario: ScenarioSpec = mission.scenario
         self._mission = mission
-        self._observation = observation
-        self._pictures: Optional[PictureSchedule] = None
+        self._watcher: Optional[Watcher] = None
         self._duration = duration
         self.clock = RunClock(self._scenario.control_rate)
         self.last_tick = self.clock.ticks(duration)
@@ -87,7 +53,7 @@ class EmbeddedRun:
             raise UsageError(
                 f"a mission of {duration:g} s has no tick at {self._scenario.control_rate} Hz; make it longer"
             )
-        if self.clock.stamp_ns(self.last_tick) >= _END_OF_TIME_NS:
+        if not self.clock.can_tell(self.last_tick):
             raise UsageError(f"a mission of {duration:g} s ends beyond ROS time, which has 2^32 s; make it shorter")
         seed = mission.seed
         self._simulation = Simulation(
@@ -98,26 +64,28 @@ class EmbeddedRun:
             generators={robot.id: generator(seed, robot.id, Purpose.SENSORS) for robot in self._scenario.robots},
         )
         self._paused: Set[str] = set()
-        self._bus = Bus(codec, PerfectLink())
-        self._bus.tap(observation.feed)
-        self._world_node = self._bus.node("/simulation")
-        self._supervisor_node = self._bus.node("/supervisor")
+        self.bus = Bus(codec, PerfectLink())
+        self._world_node = self.bus.node("/simulation")
         try:
-            self._team: List[Member] = build_team(mission, seed, self._simulation, self._bus, manager)
+            self._team: List[Member] = build_team(mission, seed, self._simulation, self.bus, manager)
         except BaseException:
             self._simulation.close()
             raise
         self._drivers = {member.id: member.driver_node for member in self._team}
 
-    def attach(self, record: Callable[[Stamped], None], pictures: Optional[PictureSchedule]) -> None:
-        """Say where messages and pictures go; before the first step.
+    @property
+    def team_hears_supervisor(self) -> bool:
+        """Tell whether a robot listens to what the supervisor says; then both must take turns in one process."""
+        return any(
+            pattern.match(topic) is not None
+            for member in self._team
+            for pattern in member.patterns
+            for topic in SUPERVISOR_TOPICS
+        )
 
-        Args:
-            record: takes every message, in order.
-            pictures: draws monitor pictures; None for none.
-        """
-        self._bus.tap(record)
-        self._pictures = pictures
+    def attach(self, watcher: Watcher) -> None:
+        """Say who is told that a tick has ended; before the first step. It is for the caller to tap ``bus``."""
+        self._watcher = watcher
 
     def close(self) -> None:
         """Free the world."""
@@ -131,11 +99,12 @@ class EmbeddedRun:
         self._happen(tick, now)
         self._world_node.publish(Outgoing("/clock", "rosgraph_msgs/Clock", {"clock": now}), now)
         self._sense(tick, now)
-        self._bus.deliver(now)
+        self.bus.deliver(now)
         self._decide(tick, now)
         self._simulation.act(now)
         self._simulation.step()
-        self._tell(tick, now)
+        if self._watcher is not None:
+            self._watcher.end_tick(tick)
 
     def _happen(self, tick: int, now: float) -> None:
         for event in self._simulation.begin_tick(tick, now):
@@ -163,20 +132,3 @@ class EmbeddedRun:
                     member.agent_node.publish(message, now)
         for member in self._team:
             member.driver_node.deliver(now)
-
-    def _tell(self, tick: int, now: float) -> None:
-        for message in self._observation.news():
-            self._supervisor_node.publish(message, now)
-        last = tick == self.last_tick
-        state_is_due = last or tick % (STATE_PERIOD * self.clock.rate) == 0
-        picture_is_due = self._pictures is not None and self._pictures.due(tick)
-        if state_is_due or picture_is_due:
-            view = self._observation.view(now)
-            if state_is_due:
-                self._supervisor_node.publish(self._observation.supervisor.team_state(now), now)
-                self._supervisor_node.publish(team_markers(view, now), now)
-            if self._pictures is not None and picture_is_due:
-                self._pictures.draw(tick, view)
-        if self._pictures is not None:
-            for message in self._pictures.placed_at(tick, last):
-                self._supervisor_node.publish(message, now)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Dict, List, Mapping, Optional, Sequence
 
 from rqt_mrta_py.app.guard import GuardedPanel, guarded
+from rqt_mrta_py.app.observers import observers_of
 from rqt_mrta_py.hooks import (
     AllocationInterpreter,
     AllocationInterpreterFactory,
@@ -42,14 +43,22 @@ class Observation:
         supervisor: states, allocations, events, incidents.
     """
 
-    def __init__(self, mission: Mission, codec: Codec, manager: PluginManager, duration: Optional[float]) -> None:
-        """Wire supervisor, scene and panels.
+    def __init__(
+        self,
+        mission: Mission,
+        codec: Codec,
+        manager: PluginManager,
+        duration: Optional[float],
+        further: Sequence[Listener] = (),
+    ) -> None:
+        """Wire supervisor, scene, panels and observers.
 
         Args:
             mission: as far as it is known.
             codec: reads the stream's messages.
             manager: plugins, loaded.
             duration: planned, of the whole mission [s]; None if unknown.
+            further: who else hears the stream.
         """
         self.mission = mission
         self._duration = duration
@@ -67,7 +76,7 @@ class Observation:
         self._dispatcher = Dispatcher(codec, self.supervisor.report)
         for subscription, callback in self.supervisor.listeners():
             self._dispatcher.subscribe(subscription, callback)
-        listeners: List[Listener] = [self._scene, *self._panels]
+        listeners: List[Listener] = [self._scene, *self._panels, *further, *observers_of(mission, manager)]
         for listener in listeners:
             for subscription in listener.subscriptions():
                 self._dispatcher.subscribe(subscription, listener.hear)

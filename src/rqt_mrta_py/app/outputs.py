@@ -90,12 +90,27 @@ class OutputFolder:
                 return path
             if path.is_dir() and not any(path.iterdir()):
                 path.rmdir()
-            dashboard = self.path / "dashboard.png"
-            if dashboard.exists():
-                dashboard.unlink()
+            self._remove("dashboard.png")
         except OSError as error:
             raise OutputError(f"{error.filename}: cannot be replaced: {error.strerror}") from error
         return None
+
+    def film(self, wanted: bool) -> Optional[Path]:
+        """Give the path of the film; one of an earlier run goes.
+
+        Args:
+            wanted: False if there will be none.
+        """
+        try:
+            self._remove("monitor.webm")
+        except OSError as error:
+            raise OutputError(f"{error.filename}: cannot be replaced: {error.strerror}") from error
+        return self.path / "monitor.webm" if wanted else None
+
+    def _remove(self, name: str) -> None:
+        path = self.path / name
+        if path.exists():
+            path.unlink()
 
     def write_json(self, name: str, value: Mapping[str, Any]) -> None:
         """Write one JSON document, keys in their given order."""
@@ -108,8 +123,18 @@ class OutputFolder:
 
     def write_text(self, name: str, text: str) -> None:
         """Write a text file."""
+        self.write_bytes(name, text.encode("utf-8"))
+
+    def write_bytes(self, name: str, content: bytes) -> None:
+        """Write a file, making the folders it stands in.
+
+        Args:
+            name: relative to this folder, parts joined by ``/``.
+            content: of the file.
+        """
         path = self.path / name
         try:
-            write_whole(path, text.encode("utf-8"))
+            path.parent.mkdir(parents=True, exist_ok=True)
+            write_whole(path, content)
         except OSError as error:
             raise OutputError(f"{path}: cannot be written: {error.strerror}") from error

@@ -2,66 +2,78 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import List, Optional, Tuple
+from collections import deque
+from concurrent.futures import Future, ThreadPoolExecutor
+from typing import Deque, List, Optional, Tuple
 
+from rqt_mrta_py.app.picture_files import PictureFiles
 from rqt_mrta_py.hooks import MonitorView, Outgoing, Renderer
-from rqt_mrta_py.render import jpeg, write_picture
+from rqt_mrta_py.render import jpeg
 
-__all__ = ["PICTURE_TOPIC", "PictureSchedule", "period_in_ticks", "picture_name"]
+__all__ = ["PICTURE_TOPIC", "PictureSchedule", "period_in_ticks"]
 
 PICTURE_TOPIC = "/mrta/monitor/compressed"
 
 
-def picture_name(mission_time: float) -> str:
-    """Name the picture of a mission time [s], so that names sort by time."""
-    return f"{mission_time:010.3f}.png"
-
-
 class PictureSchedule:
-    """Draws every so many ticks, writes the file at once, and hands out the message one period later."""
+    """Draws every so many ticks, and hands out the message one period later; it is encoded in a thread meanwhile."""
 
-    def __init__(self, renderer: Renderer, folder: Path, period_ticks: int, rate: int) -> None:
+    def __init__(self, renderer: Renderer, period_ticks: int, rate: int, files: Optional[PictureFiles] = None) -> None:
         """Plan the pictures.
 
         Args:
             renderer: draws them.
-            folder: where the files go; it exists.
             period_ticks: one picture every so many ticks, at least 1.
             rate: ticks a second [Hz].
+            files: take each picture; None for none.
         """
         self._renderer = renderer
-        self._folder = folder
         self._period = period_ticks
         self._rate = rate
-        self._waiting: List[Tuple[int, Outgoing]] = []
+        self._files = files
+        self._waiting: Deque[Tuple[int, float, Future[bytes]]] = deque()
+        self._encoding = ThreadPoolExecutor(1, "mrta-encoding")
 
     def due(self, tick: int) -> bool:
         """Tell whether a picture is to be drawn at a tick."""
         return tick % self._period == 0
 
     def draw(self, tick: int, view: MonitorView) -> None:
-        """Draw what a tick looks like once everything of it has been heard, and write the file.
+        """Draw what a tick looks like once everything of it has been heard.
 
         Args:
             tick: of the mission.
             view: what to draw.
         """
         image = self._renderer(view)
-        write_picture(self._folder / picture_name(tick / self._rate), image)
-        fields = {"header": {"stamp": view.now, "frame_id": "map"}, "format": "jpeg", "data": jpeg(image)}
-        self._waiting.append((tick + self._period, Outgoing(PICTURE_TOPIC, "sensor_msgs/CompressedImage", fields)))
+        self._waiting.append((tick + self._period, view.now, self._encoding.submit(jpeg, image)))
+        if self._files is not None:
+            self._files.add(tick / self._rate, image)
 
     def placed_at(self, tick: int, last: bool) -> List[Outgoing]:
-        """Give the messages whose place in the stream is a tick.
+        """Give the messages whose place in the stream is a tick; waits for those that are not encoded yet.
 
         Args:
             tick: of the mission.
             last: True at the mission's last tick, where what still waits is given too.
         """
-        due = [message for place, message in self._waiting if last or place <= tick]
-        self._waiting = self._waiting[len(due) :]
-        return due
+        placed: List[Outgoing] = []
+        while self._waiting and (last or self._waiting[0][0] <= tick):
+            _, stamp, data = self._waiting.popleft()
+            fields = {"header": {"stamp": stamp, "frame_id": "map"}, "format": "jpeg", "data": data.result()}
+            placed.append(Outgoing(PICTURE_TOPIC, "sensor_msgs/CompressedImage", fields))
+        return placed
+
+    def finish(self) -> None:
+        """Wait until every file is written."""
+        if self._files is not None:
+            self._files.finish()
+
+    def close(self) -> None:
+        """Let the threads end."""
+        self._encoding.shutdown()
+        if self._files is not None:
+            self._files.close()
 
 
 def period_in_ticks(period: float, rate: int) -> Optional[int]:

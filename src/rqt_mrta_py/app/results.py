@@ -6,7 +6,7 @@ import platform
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Dict, Optional, Sequence, Tuple
+from typing import Any, Dict, NamedTuple, Optional, Sequence
 
 from rqt_mrta_py import __version__
 from rqt_mrta_py.app.interrupt import Interrupt
@@ -18,7 +18,7 @@ from rqt_mrta_py.model import MissionRecord, Outcome, TaskState
 from rqt_mrta_py.render import write_picture
 from rqt_mrta_py.supervisor import event_lines, incident_lines, summary
 
-__all__ = ["MissionResult", "Stopwatch", "write_results"]
+__all__ = ["MissionResult", "Results", "Stopwatch", "write_results"]
 
 
 @dataclass(frozen=True)
@@ -63,18 +63,25 @@ class MissionResult:
         return "\n".join(lines)
 
 
-def write_results(
-    folder: OutputFolder, observation: Observation, dashboard: Optional[Renderer]
-) -> Tuple[MissionRecord, Dict[str, Any]]:
+class Results(NamedTuple):
+    """What is known of a stream that has ended.
+
+    Attributes:
+        record: everything known of the mission.
+        summary: as written to ``summary.json``.
+    """
+
+    record: MissionRecord
+    summary: Dict[str, Any]
+
+
+def write_results(folder: OutputFolder, observation: Observation, dashboard: Optional[Renderer]) -> Results:
     """Sum up a stream that has ended and write what is derived from it.
 
     Args:
         folder: where to.
         observation: has heard the whole stream.
         dashboard: draws the mission in one picture; None for no pictures.
-
-    Returns:
-        Everything known of the mission, and what ``summary.json`` says of it.
     """
     record = observation.finish()
     summed_up = summary(record)
@@ -83,7 +90,7 @@ def write_results(
     folder.write_lines("incidents.jsonl", incident_lines(record))
     if dashboard is not None and record.start is not None:
         write_picture(folder.path / "dashboard.png", dashboard(observation.dashboard_view(record)))
-    return record, summed_up
+    return Results(record, summed_up)
 
 
 def _speed(mission_time: float, wall_time: float) -> float:
@@ -101,17 +108,16 @@ class Stopwatch:
         self._started = time.strftime("%Y-%m-%dT%H:%M:%S%z")
         self._began = time.monotonic()
 
-    def result(
-        self, folder: OutputFolder, record: MissionRecord, summed_up: Dict[str, Any], interrupt: Interrupt
-    ) -> MissionResult:
+    def result(self, folder: OutputFolder, results: Results, interrupt: Interrupt, processes: int = 1) -> MissionResult:
         """Stop, write ``run.log`` and give the result.
 
         Args:
             folder: where the outputs are.
-            record: everything known of the mission.
-            summed_up: what ``summary.json`` says of it.
+            results: of the stream.
             interrupt: knows by now whether the user asked to end.
+            processes: that shared the work.
         """
+        record, summed_up = results
         mission_time = (record.end or 0.0) - (record.start or 0.0)
         wall_time = time.monotonic() - self._began
         lines = [
@@ -120,6 +126,7 @@ class Stopwatch:
             f"mission_seconds {mission_time:.3f}",
             f"wall_seconds {wall_time:.3f}",
             f"mission_seconds_per_wall_second {_speed(mission_time, wall_time):.2f}",
+            f"processes {processes}",
             f"python {platform.python_version()}",
         ]
         lines += [f"{name} {version}" for name, version in installed_versions().items()]

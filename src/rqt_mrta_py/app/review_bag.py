@@ -3,23 +3,25 @@
 from __future__ import annotations
 
 import dataclasses
+from contextlib import ExitStack
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 from typing import Callable, Iterator, Optional, Tuple
 
 from rqt_mrta_py.app.compose import Host
+from rqt_mrta_py.app.exports import exporters_for, write_exports
 from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.mission_message import MISSION_TOPIC, MISSION_TYPE, mission_from_fields
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs import OutputFolder
-from rqt_mrta_py.app.pictures import period_in_ticks, picture_name
+from rqt_mrta_py.app.picture_files import PictureFiles, open_film
+from rqt_mrta_py.app.pictures import period_in_ticks
 from rqt_mrta_py.app.results import MissionResult, Stopwatch, write_results
 from rqt_mrta_py.config import load_mission, load_observed
 from rqt_mrta_py.errors import TransportError, UsageError
 from rqt_mrta_py.hooks import Codec, Renderer, Stamped
 from rqt_mrta_py.model import Mission
-from rqt_mrta_py.render import write_picture
 from rqt_mrta_py.transport import read_bag, read_bag_info
 
 __all__ = ["ReviewRequest", "review_bag"]
@@ -38,6 +40,8 @@ class ReviewRequest:
         out: folder for the outputs; None to choose one.
         force: write into a folder that is not empty.
         pictures: seconds of mission time between pictures, 0 for none; None for the scenario's, else 1 [s].
+        video: make a film of the pictures.
+        exports: names of exporters whose files are wanted.
     """
 
     bag: Path
@@ -46,6 +50,8 @@ class ReviewRequest:
     out: Optional[Path] = None
     force: bool = False
     pictures: Optional[float] = None
+    video: bool = False
+    exports: Tuple[str, ...] = ()
 
 
 def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, float], None]) -> MissionResult:
@@ -62,7 +68,7 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
     Raises:
         MrtaError: of whatever is wrong. What is wrong with the input is told before anything is written.
     """
-    watch = Stopwatch()
+    stopwatch = Stopwatch()
     info = read_bag_info(request.bag)
     codec = host.codec()
     mission, duration = _mission(host, request, codec)
@@ -71,11 +77,18 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
         period = 1.0 if mission.scenario is None else mission.scenario.picture_period
     start_ns = info.start_ns or 0
     length = ((info.end_ns or 0) - start_ns) / _NS
-    observation = Observation(mission, codec, host.manager, duration or length)
-    with Interrupt() as interrupt:
+    if request.video and not period > 0:
+        raise UsageError("--video: there are no pictures to make a film of; give --pictures a time above 0")
+    exporters = exporters_for(mission, request.exports, host.manager)
+    observation = Observation(mission, codec, host.manager, duration or length, tuple(exporters.values()))
+    with Interrupt() as interrupt, ExitStack() as stack:
         folder = OutputFolder.create(request.out, f"{request.bag.stem}-review", request.force)
         path = folder.monitor(wanted=period > 0)
-        pictures = None if path is None else _Pictures(host.renderer("monitor"), path, _period_ns(mission, period))
+        pictures = None
+        if path is not None:
+            files = PictureFiles(path, open_film(folder, request.video))
+            stack.callback(files.close)
+            pictures = _Pictures(host.renderer("monitor"), files, _period_ns(mission, period))
         for stamped in read_bag(request.bag):
             if pictures is not None:
                 pictures.until(stamped.receipt_ns, observation)
@@ -83,18 +96,21 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
             progress((stamped.receipt_ns - start_ns) / _NS, length)
             if interrupt.requested:
                 break
-        if pictures is not None and info.end_ns is not None and not interrupt.requested:
-            pictures.until(info.end_ns + 1, observation)
-        record, summary = write_results(folder, observation, host.renderer("dashboard") if pictures else None)
-        return watch.result(folder, record, summary, interrupt)
+        if pictures is not None:
+            if info.end_ns is not None and not interrupt.requested:
+                pictures.until(info.end_ns + 1, observation)
+            files.finish()
+        results = write_results(folder, observation, host.renderer("dashboard") if pictures else None)
+        write_exports(folder, exporters, results.record)
+        return stopwatch.result(folder, results, interrupt)
 
 
 class _Pictures:
     """Draws each picture once everything up to its moment has been heard."""
 
-    def __init__(self, renderer: Renderer, folder: Path, period_ns: Fraction) -> None:
+    def __init__(self, renderer: Renderer, files: PictureFiles, period_ns: Fraction) -> None:
         self._renderer = renderer
-        self._folder = folder
+        self._files = files
         self._period_ns = period_ns
         self._start_ns: Optional[int] = None
         self._number = 0
@@ -108,7 +124,7 @@ class _Pictures:
             if self._start_ns + passed_ns >= receipt_ns:
                 return
             image = self._renderer(observation.view((self._start_ns + passed_ns) / _NS))
-            write_picture(self._folder / picture_name(passed_ns / _NS), image)
+            self._files.add(passed_ns / _NS, image)
             self._number += 1
 
 

@@ -2,22 +2,29 @@
 
 from __future__ import annotations
 
+import os
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Callable, Optional, Tuple
+from typing import Callable, Iterator, Optional, Tuple
 
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.embedded import EmbeddedRun
+from rqt_mrta_py.app.exports import exporters_for
 from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs import OutputFolder
+from rqt_mrta_py.app.picture_files import PictureFiles, open_film
 from rqt_mrta_py.app.pictures import PictureSchedule, period_in_ticks
-from rqt_mrta_py.app.results import MissionResult, Stopwatch, write_results
+from rqt_mrta_py.app.results import MissionResult, Stopwatch
 from rqt_mrta_py.app.selection import first_robots, in_world
+from rqt_mrta_py.app.watch import Watcher, WatchPlan, open_watch
+from rqt_mrta_py.app.watch_process import open_watch_process
 from rqt_mrta_py.config import load_mission
 from rqt_mrta_py.errors import UsageError
+from rqt_mrta_py.hooks import Codec
 from rqt_mrta_py.model import Mission, ScenarioSpec
-from rqt_mrta_py.transport import BagWriter
+from rqt_mrta_py.transport import Bus
 
 __all__ = ["Progress", "RunRequest", "run_mission"]
 
@@ -40,6 +47,9 @@ class RunRequest:
         out: folder for the outputs; None to choose one.
         force: write into a folder that is not empty.
         pictures: seconds of mission time between pictures, 0 for none; None for the scenario's [s].
+        video: make a film of the pictures.
+        exports: names of exporters whose files are wanted.
+        processes: 1 or 2; None: as many as there are cores, 2 at the most.
     """
 
     application: str
@@ -52,6 +62,9 @@ class RunRequest:
     out: Optional[Path] = None
     force: bool = False
     pictures: Optional[float] = None
+    video: bool = False
+    exports: Tuple[str, ...] = ()
+    processes: Optional[int] = None
 
 
 def run_mission(host: Host, request: RunRequest, progress: Progress) -> MissionResult:
@@ -68,37 +81,69 @@ def run_mission(host: Host, request: RunRequest, progress: Progress) -> MissionR
     Raises:
         MrtaError: of whatever is wrong. What is wrong with the input is told before anything is written.
     """
-    watch = Stopwatch()
+    stopwatch = Stopwatch()
     mission, scenario = _mission(host, request)
     duration = scenario.duration if request.duration is None else request.duration
     period = scenario.picture_period if request.pictures is None else request.pictures
+    if request.video and not period > 0:
+        raise UsageError("--video: there are no pictures to make a film of; give --pictures a time above 0")
     codec = host.codec()
-    observation = Observation(mission, codec, host.manager, duration)
-    run = EmbeddedRun(mission, duration, codec, host.manager, observation)
+    exporters = exporters_for(mission, request.exports, host.manager)
+    observation = Observation(mission, codec, host.manager, duration, tuple(exporters.values()))
+    run = EmbeddedRun(mission, duration, codec, host.manager)
     try:
         name = f"{mission.application.package}-seed{request.seed}"
         with Interrupt() as interrupt:
             folder = OutputFolder.create(request.out, name, request.force)
-            pictures = _pictures(host, folder, period, scenario.control_rate)
-            with BagWriter(folder.path / "mission.bag", replace=request.force) as bag:
-                run.attach(bag.write, pictures)
+            pictures = _pictures(host, folder, period, scenario.control_rate, request.video)
+            plan = WatchPlan(
+                observation=observation,
+                folder=folder,
+                clock=run.clock,
+                last_tick=run.last_tick,
+                replace=request.force,
+                pictures=pictures,
+                dashboard=host.renderer("dashboard") if pictures else None,
+                exporters=exporters,
+            )
+            processes = 1 if run.team_hears_supervisor else request.processes or min(2, _cores())
+            with _watching(plan, run.bus, codec, processes) as watcher:
+                run.attach(watcher)
                 for tick in range(run.last_tick + 1):
                     run.step(tick)
                     progress(tick / scenario.control_rate, duration)
                     if interrupt.requested:
                         break
-            record, summary = write_results(folder, observation, host.renderer("dashboard") if pictures else None)
-            return watch.result(folder, record, summary, interrupt)
+                results = watcher.finish()
+            return stopwatch.result(folder, results, interrupt, processes)
     finally:
         run.close()
 
 
-def _pictures(host: Host, folder: OutputFolder, period: float, rate: int) -> Optional[PictureSchedule]:
+@contextmanager
+def _watching(plan: WatchPlan, bus: Bus, codec: Codec, processes: int) -> Iterator[Watcher]:
+    """Watch what is published on the team's bus, from this process or from another."""
+    if processes == 1:
+        with open_watch(plan, bus) as watch:
+            yield watch
+    else:
+        with open_watch_process(plan, codec) as process:
+            bus.tap(process.hear)
+            yield process
+
+
+def _cores() -> int:
+    """Count the cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _pictures(host: Host, folder: OutputFolder, period: float, rate: int, video: bool) -> Optional[PictureSchedule]:
     period_ticks = period_in_ticks(period, rate)
     path = folder.monitor(wanted=period_ticks is not None)
     if period_ticks is None or path is None:
         return None
-    return PictureSchedule(host.renderer("monitor"), path, period_ticks, rate)
+    files = PictureFiles(path, open_film(folder, video))
+    return PictureSchedule(host.renderer("monitor"), period_ticks, rate, files)
 
 
 def _mission(host: Host, request: RunRequest) -> Tuple[Mission, ScenarioSpec]:

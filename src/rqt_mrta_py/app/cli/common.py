@@ -62,6 +62,15 @@ def add_output_arguments(parser: argparse.ArgumentParser) -> None:
         type=not_negative,
         help="mission seconds between monitor pictures, 0 for none (default: the scenario's, else 1)",
     )
+    parser.add_argument("--video", action="store_true", help="make a film of the monitor pictures: monitor.webm")
+    parser.add_argument(
+        "--export",
+        metavar="NAME",
+        dest="exports",
+        action="append",
+        default=[],
+        help="write the files of an exporter to export/NAME/, for instance csv; may be given several times",
+    )
     parser.add_argument(
         "--fail-on",
         metavar="SEVERITY",

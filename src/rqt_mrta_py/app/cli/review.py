@@ -35,6 +35,8 @@ def main(options: argparse.Namespace) -> int:
         out=options.out,
         force=options.force,
         pictures=options.pictures,
+        video=options.video,
+        exports=tuple(options.exports),
     )
     with ProgressLine(options.bag.name, options.quiet) as progress:
         result = review_bag(host, request, progress)

@@ -27,6 +27,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=[],
         help="set a parameter, for instance robot2/spin_rate=10; may be given several times",
     )
+    parser.add_argument(
+        "--processes",
+        metavar="N",
+        type=int,
+        choices=(1, 2),
+        help="1: do everything in one; 2: supervise, record and draw in another (default: 2 where there are two cores)",
+    )
     add_output_arguments(parser)
 
 
@@ -48,6 +55,9 @@ def main(options: argparse.Namespace) -> int:
         out=options.out,
         force=options.force,
         pictures=options.pictures,
+        video=options.video,
+        exports=tuple(options.exports),
+        processes=options.processes,
     )
     with ProgressLine(options.application, options.quiet) as progress:
         result = run_mission(host, request, progress)

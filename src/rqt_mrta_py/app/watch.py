@@ -1,0 +1,160 @@
+"""The watching side of a run: everything that only hears the stream, and what it leaves.
+
+The team's side calls it once a tick and never looks at it, so it can stand in the same process or in another one;
+both write the same bytes.
+"""
+
+from __future__ import annotations
+
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
+from typing import Iterator, Mapping, Optional, Protocol, Sequence
+
+from rqt_mrta_py.app.exports import write_exports
+from rqt_mrta_py.app.observation import Observation
+from rqt_mrta_py.app.outputs import OutputFolder
+from rqt_mrta_py.app.pictures import PICTURE_TOPIC, PictureSchedule
+from rqt_mrta_py.app.results import Results, write_results
+from rqt_mrta_py.app.run_clock import RunClock
+from rqt_mrta_py.hooks import Exporter, Outgoing, Renderer, Stamped
+from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
+from rqt_mrta_py.transport import BagWriter, Bus
+
+__all__ = ["STATE_PERIOD", "SUPERVISOR_TOPICS", "Watch", "WatchPlan", "Watcher", "open_watch"]
+
+SUPERVISOR_TOPICS = (
+    "/mrta/allocation",
+    "/mrta/event",
+    "/mrta/incident",
+    MARKERS_TOPIC,
+    PICTURE_TOPIC,
+    "/mrta/robot_state",
+    "/mrta/task_state",
+    "/mrta/team_state",
+    "/rosout",
+)
+"""What the watching side says on a run's bus."""
+
+STATE_PERIOD = 1
+"""The team's state and its markers are published once in so many seconds [s]."""
+
+CHECKPOINT_PERIOD = 0.5
+"""How much of the stream's time the bag may hold back [s]."""
+
+
+class Watcher(Protocol):
+    """What the team's side of a run tells."""
+
+    def hear(self, stamped: Stamped) -> None:
+        """Take in a message, in bus order, before loss and delay."""
+        ...
+
+    def end_tick(self, tick: int) -> None:
+        """Take note that everything of a tick has been heard."""
+        ...
+
+    def finish(self) -> Results:
+        """End the stream and write what is derived from it; to be called once."""
+        ...
+
+
+@dataclass(frozen=True)
+class WatchPlan:
+    """What the watching side of a run is made from.
+
+    Attributes:
+        observation: of the mission; has heard nothing yet.
+        folder: for the outputs.
+        clock: of the run.
+        last_tick: of the run.
+        replace: take the place of an earlier bag.
+        pictures: draws monitor pictures; None for none.
+        dashboard: draws the mission in one picture; None for none.
+        exporters: asked for, by name.
+    """
+
+    observation: Observation
+    folder: OutputFolder
+    clock: RunClock
+    last_tick: int
+    replace: bool
+    pictures: Optional[PictureSchedule]
+    dashboard: Optional[Renderer]
+    exporters: Mapping[str, Exporter]
+
+
+class Watch:
+    """Supervises, records and draws one run."""
+
+    def __init__(self, plan: WatchPlan, bag: BagWriter, bus: Bus) -> None:
+        """Join a bus: what is published on it is heard, and the supervisor speaks on it.
+
+        Args:
+            plan: what to watch.
+            bag: takes every message.
+            bus: of the team, or one that carries nothing but the supervisor's own messages.
+        """
+        self._plan = plan
+        self._bag = bag
+        self._node = bus.node("/supervisor")
+        bus.tap(self.hear)
+        self.abandoned = False
+
+    def abandon(self) -> None:
+        """Bring to the file what was heard, and leave the bag open as one whose run never ended."""
+        self._bag.checkpoint()
+        self.abandoned = True
+
+    def hear(self, stamped: Stamped) -> None:
+        """Take in a message; it is in the bag, whatever a rule makes of it."""
+        self._bag.write(stamped)
+        self._plan.observation.feed(stamped)
+
+    def end_tick(self, tick: int) -> None:
+        """Say what is new, draw what is due."""
+        plan, observation, pictures = self._plan, self._plan.observation, self._plan.pictures
+        now = plan.clock.stamp(tick)
+        self._publish(observation.news(), now)
+        last = tick == plan.last_tick
+        state_is_due = last or tick % (STATE_PERIOD * plan.clock.rate) == 0
+        picture_is_due = pictures is not None and pictures.due(tick)
+        if state_is_due or picture_is_due:
+            view = observation.view(now)
+            if state_is_due:
+                self._publish([observation.supervisor.team_state(now), team_markers(view, now)], now)
+            if pictures is not None and picture_is_due:
+                pictures.draw(tick, view)
+        if pictures is not None:
+            self._publish(pictures.placed_at(tick, last), now)
+
+    def finish(self) -> Results:
+        """Close the bag and write the results."""
+        plan = self._plan
+        if plan.pictures is not None:
+            plan.pictures.finish()
+        self._bag.close()
+        results = write_results(plan.folder, plan.observation, plan.dashboard)
+        write_exports(plan.folder, plan.exporters, results.record)
+        return results
+
+    def _publish(self, messages: Sequence[Outgoing], now: float) -> None:
+        for message in messages:
+            self._node.publish(message, now)
+
+
+@contextmanager
+def open_watch(plan: WatchPlan, bus: Bus) -> Iterator[Watch]:
+    """Watch from here; whatever leaves the block, the bag is complete as far as the run went.
+
+    Args:
+        plan: what to watch.
+        bus: see Watch.
+    """
+    path = plan.folder.path / "mission.bag"
+    bag = BagWriter(path, checkpoint_period=CHECKPOINT_PERIOD, replace=plan.replace)
+    watch = Watch(plan, bag, bus)
+    with ExitStack() as stack:
+        if plan.pictures is not None:
+            stack.callback(plan.pictures.close)
+        stack.push(lambda *exception: None if watch.abandoned else bag.__exit__(*exception))
+        yield watch
