@@ -1,8 +1,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Any, List, Optional, Tuple
 
 import pytest
 
@@ -11,94 +10,13 @@ from rqt_mrta_py.hooks import (
     BehaviourStep,
     Command,
     Decision,
-    Heard,
     Outgoing,
     Perception,
-    Situation,
     Subscription,
     TaskReport,
 )
 from rqt_mrta_py.model import Pose, Progress, Task, Twist
-from rqt_mrta_py.robot import HostSetup, RobotHost
-
-DIG = Task("dig1", "dig")
-MOW = Task("mow1", "mow")
-
-
-class Scripted:
-    """An agent that chooses what it is told to, and remembers what it was told."""
-
-    def __init__(self, choose: Callable[[int], Optional[str]], rate: float = 20.0) -> None:
-        self._choose = choose
-        self.rate = rate
-        self.told: List[Situation] = []
-
-    def subscriptions(self) -> Sequence[Subscription]:
-        return (Subscription("/team", "std_msgs/String", ("data",)),)
-
-    def step(self, situation: Situation) -> Decision:
-        self.told.append(situation)
-        return Decision(self._choose(len(self.told) - 1), (Outgoing("says", "std_msgs/String", {"data": "hi"}),))
-
-
-@dataclass
-class Digger:
-    """A behaviour that plays back its steps, the last one for ever."""
-
-    steps: Sequence[BehaviourStep] = (BehaviourStep((Command("base", Twist(vx=0.5, wz=0.1)),)),)
-    wishes: Sequence[Subscription] = (Subscription("scan", "sensor_msgs/LaserScan", ("ranges",)),)
-    started: int = 0
-    stepped: int = 0
-    seen: List[Optional[Heard]] = field(default_factory=list)
-    poses: List[Optional[Pose]] = field(default_factory=list)
-
-    def subscriptions(self) -> Sequence[Subscription]:
-        return self.wishes
-
-    def applicable(self, task: Task, perception: Perception) -> bool:
-        return True
-
-    def cost(self, task: Task, perception: Perception) -> Optional[float]:
-        return 3.5
-
-    def start(self, task: Task, perception: Perception) -> None:
-        self.started += 1
-        self.stepped = 0
-
-    def step(self, task: Task, perception: Perception) -> BehaviourStep:
-        self.seen.append(perception.newest("scan"))
-        self.poses.append(perception.pose)
-        self.stepped += 1
-        return self.steps[min(self.stepped, len(self.steps)) - 1]
-
-
-def make_host(agent: Any, tasks: Tuple[Task, ...] = (DIG, MOW), **behaviours: Any) -> RobotHost:
-    return RobotHost(
-        HostSetup("robot1", agent, {"dig": Digger(), "mow": Digger(), **behaviours}, tasks, control_rate=20)
-    )
-
-
-def hear(host: RobotHost, topic: str, fields: Mapping[str, Any], receipt: float = 1.0) -> None:
-    for wish, callback in host.listeners():
-        if wish.topic == topic:
-            callback(Heard(topic, wish.type, receipt, {path: fields[path] for path in wish.fields}))
-
-
-def hear_progress(host: RobotHost, task: str, robot: str, progress: int, detail: str = "") -> None:
-    content = {"task_id": task, "robot_id": robot, "progress": progress, "detail": detail}
-    hear(host, "/mrta/task_progress", content)
-
-
-def run(host: RobotHost, ticks: int, first: int = 0) -> List[Outgoing]:
-    return [said for tick in range(first, first + ticks) for said in host.step(tick, 1.0 + tick / 20)]
-
-
-def about(said: Sequence[Outgoing], topic: str) -> List[Dict[str, Any]]:
-    return [dict(message.fields) for message in said if message.topic == topic]
-
-
-def progress_codes(said: Sequence[Outgoing]) -> List[Tuple[str, int]]:
-    return [(fields["task_id"], fields["progress"]) for fields in about(said, "/mrta/task_progress")]
+from tests.robot.hosting import DIG, MOW, Digger, Scripted, about, hear, hear_progress, make_host, progress_codes, run
 
 
 def test_host_steps_the_agent_at_its_own_rate_and_the_behaviour_every_tick() -> None:
@@ -151,7 +69,7 @@ def test_host_tells_of_a_task_once_when_it_starts_and_once_when_it_ends() -> Non
     assert [list(situation.reports) for situation in agent.told] == [
         [],
         [],
-        [TaskReport("dig1", Progress.DONE, "dug")],
+        [TaskReport("dig1", Progress.DONE, "dug", "robot1")],
         [],
         [],
     ]
@@ -247,40 +165,33 @@ def test_host_tells_the_agent_what_its_tasks_cost() -> None:
     ("robot", "code", "told", "goes_on"),
     [
         ("/robot2", 0, [], True),  # RUNNING there
-        ("robot2", 1, [Progress.DONE], False),
-        ("robot2", 2, [Progress.FAILED], False),
+        ("robot2", 1, [(Progress.DONE, "robot2")], False),
+        ("", 1, [(Progress.DONE, None)], False),
+        ("/robot2", 2, [(Progress.FAILED, "robot2")], False),
         ("robot2", 3, [], True),  # UNREACHABLE for robot2 only
-        ("", 4, [Progress.APPEARED], True),
-        ("", 5, [Progress.WITHDRAWN], False),
-        ("robot1", 5, [Progress.WITHDRAWN], False),
-        ("robot2", 6, [Progress.REASSIGNED], True),
+        ("", 4, [(Progress.APPEARED, None)], True),
+        ("", 5, [(Progress.WITHDRAWN, None)], False),
+        ("robot1", 5, [(Progress.WITHDRAWN, None)], False),
+        ("robot2", 6, [(Progress.REASSIGNED, "robot2")], True),
+        ("/robot1", 6, [(Progress.REASSIGNED, "robot1")], True),
+        ("", 6, [(Progress.REASSIGNED, None)], True),
         ("robot1", 1, [], True),  # its own echo
         ("/robot1", 0, [], True),  # its own echo
         ("robot2", 77, [], True),  # a number that nobody has defined
     ],
 )
-def test_host_hears_what_others_say_of_tasks(robot: str, code: int, told: List[Progress], goes_on: bool) -> None:
+def test_host_hears_what_others_say_of_tasks(
+    robot: str, code: int, told: List[Tuple[Progress, Optional[str]]], goes_on: bool
+) -> None:
     agent = Scripted(lambda _: "dig1")
     host = make_host(agent)
     host.step(0, 1.0)
-    hear_progress(host, "dig1", robot, code, "because")
+    hear_progress(host, "/dig1", robot, code, detail="because")
     said = host.step(1, 1.05)
-    assert list(agent.told[1].reports) == [TaskReport("dig1", progress, "because") for progress in told]
+    assert list(agent.told[1].reports) == [TaskReport("dig1", progress, "because", who) for progress, who in told]
     assert (host.task == "dig1") is goes_on
     assert agent.told[1].applicable["dig1"] is goes_on
     assert progress_codes(said) == []
-
-
-def test_host_carries_out_a_withdrawn_task_that_appears_again() -> None:
-    agent, digger = Scripted(lambda _: "dig1"), Digger()
-    host = make_host(agent, dig=digger)
-    host.step(0, 1.0)
-    hear_progress(host, "dig1", "", 5)
-    host.step(1, 1.05)
-    hear_progress(host, "dig1", "", 4)
-    host.step(2, 1.1)
-    assert digger.started == 2
-    assert host.task == "dig1"
 
 
 def test_host_paused_hears_nothing_says_nothing_and_keeps_what_it_remembers() -> None:
@@ -399,3 +310,32 @@ def test_host_refuses_ticks_that_do_not_increase() -> None:
     host.step(3, 1.15)
     with pytest.raises(ValueError, match="robot1: tick 3 after tick 3; ticks must increase"):
         host.step(3, 1.2)
+
+
+@pytest.mark.parametrize(
+    ("answer", "complaint"),
+    [
+        ("dig1", "answered 'dig1'; accepted is Decision"),
+        (Decision(None, ("hello",)), "answered 'hello'; accepted is Outgoing"),  # type: ignore[arg-type]
+        (Decision(None, None), "'NoneType' object is not iterable"),  # type: ignore[arg-type]
+    ],
+)
+def test_host_names_an_agent_whose_answer_is_none(answer: Any, complaint: str) -> None:
+    agent = Scripted(lambda _: None)
+    agent.step = lambda situation: answer  # type: ignore[method-assign]
+    with pytest.raises(RobotError, match=f"robot1: agent Scripted failed at 1.000 s: TypeError: {complaint}"):
+        make_host(agent).step(0, 1.0)
+
+
+@pytest.mark.parametrize("answer", [None, (), {"commands": ()}])
+def test_host_names_a_behaviour_whose_answer_is_none(answer: Any) -> None:
+    digger = Digger()
+    digger.step = lambda task, perception: answer  # type: ignore[method-assign]
+    with pytest.raises(RobotError, match=r"behaviour 'dig' on task 'dig1' failed at 1\.000 s: TypeError: answered"):
+        make_host(Scripted(lambda _: "dig1"), dig=digger).step(0, 1.0)
+
+
+@pytest.mark.parametrize("wishes", [None, ["scan"]])
+def test_host_names_who_subscribes_to_nothing_that_is_a_subscription(wishes: Any) -> None:
+    with pytest.raises(RobotError, match=r"robot1: behaviour 'dig' failed at 0\.000 s: TypeError: "):
+        make_host(Scripted(lambda _: None), dig=Digger(wishes=wishes))

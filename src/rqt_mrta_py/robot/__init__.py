@@ -3,6 +3,8 @@
 * ``host``: joins agent, behaviours and messages, one control tick at a time; does no I/O
 * ``cycle``: at which ticks the agent is stepped
 * ``perception``: the newest messages, as a behaviour sees them
+* ``charges``: the robot's tasks, and what stands in the way of each
+* ``reports``: what is said of tasks, by robots and operators, and what follows
 * ``commands``: a behaviour's commands as messages
 * ``notices``: task progress and log lines as messages
 * ``navigation``: the Navigator on an occupancy grid

@@ -30,13 +30,15 @@ class Cycle:
             raise ValueError(f"a control rate of {control_rate!r} Hz; it must be above 0")
         exact = Fraction(rate).limit_denominator(1_000_000)
         # Far below one step in a mission, the nearest such fraction is 0; keep the exact value then.
-        self._steps_per_tick = min(Fraction(1), (exact or Fraction(rate)) / control_rate)
+        steps_per_tick = min(Fraction(1), (exact or Fraction(rate)) / control_rate)
+        # Kept as two integers: asked at every tick of every robot, a Fraction takes many times as long.
+        self._steps, self._ticks = steps_per_tick.numerator, steps_per_tick.denominator
         self._last_step = -1
 
     def due(self, tick: int) -> bool:
         """Tell whether a step falls on this tick, or fell on one skipped since the last call; asked once per tick."""
         # ceil(k / s) <= tick is k <= s * tick.
-        step = math.floor(tick * self._steps_per_tick)
+        step = tick * self._steps // self._ticks
         if step <= self._last_step:
             return False
         self._last_step = step

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple, TypeVar
+from typing import Callable, Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Set, Tuple, TypeVar
 
 from rqt_mrta_py.errors import RobotError
-from rqt_mrta_py.hooks import Agent, Behaviour, BehaviourStep, Heard, Outgoing, Situation, Subscription, TaskReport
+from rqt_mrta_py.hooks import Agent, Behaviour, BehaviourStep, Decision, Heard, Outgoing, Situation, Subscription
 from rqt_mrta_py.model import Progress, Task
+from rqt_mrta_py.robot.charges import Charge, Charges, listed
 from rqt_mrta_py.robot.commands import Commander
 from rqt_mrta_py.robot.cycle import Cycle
-from rqt_mrta_py.robot.notices import PROGRESS, log_message, progress_message, read_progress
+from rqt_mrta_py.robot.notices import PROGRESS, log_message, progress_message
 from rqt_mrta_py.robot.perception import Audience, BehaviourPerception, Senses
+from rqt_mrta_py.robot.reports import Reports
 
 __all__ = ["HostSetup", "RobotHost"]
 
@@ -19,7 +21,6 @@ _Result = TypeVar("_Result")
 _Callback = Callable[[Heard], None]
 
 _TOLD_BY_BEHAVIOURS = (Progress.RUNNING, Progress.DONE, Progress.FAILED, Progress.UNREACHABLE)
-_ENDS_TASK = (Progress.DONE, Progress.FAILED, Progress.WITHDRAWN)
 
 
 @dataclass(frozen=True)
@@ -32,6 +33,9 @@ class HostSetup:
         behaviours: by the kind of task; at least one for each kind among the tasks.
         tasks: those that this robot may carry out, in the mission's order.
         control_rate: control ticks a second [Hz].
+        later_tasks: that this robot may carry out once they appear.
+        capabilities: what the robot can do; None: not checked.
+        others_tasks: ids of the mission's tasks that this robot may not carry out, present and later ones.
     """
 
     robot_id: str
@@ -39,14 +43,9 @@ class HostSetup:
     behaviours: Mapping[str, Behaviour]
     tasks: Tuple[Task, ...]
     control_rate: int
-
-
-class _Charge(NamedTuple):
-    """A task with who carries it out and what that one perceives."""
-
-    task: Task
-    behaviour: Behaviour
-    perception: BehaviourPerception
+    later_tasks: Tuple[Task, ...] = ()
+    capabilities: Optional[FrozenSet[str]] = None
+    others_tasks: FrozenSet[str] = frozenset()
 
 
 class RobotHost:
@@ -57,7 +56,9 @@ class RobotHost:
     once a tick.
 
     A task that was told to be done, failed or withdrawn, by whomever, is not carried out again, until it is told to
-    appear anew. One that was unreachable is tried again if the agent chooses it again.
+    appear anew. One that was unreachable is tried again if the agent chooses it again. A task whose predecessors are
+    not all told to be done, that is not there yet, or that asks for what the robot cannot do, is not applicable and
+    never begun.
 
     Args:
         setup: whom to run, and for which tasks.
@@ -70,20 +71,21 @@ class RobotHost:
     def __init__(self, setup: HostSetup) -> None:
         self._robot_id = setup.robot_id
         self._agent = setup.agent
+        self._agent_name = f"agent {type(setup.agent).__name__}"
         self._senses = Senses()
         self._views = {kind: BehaviourPerception(self._senses) for kind in setup.behaviours}
-        self._charges = self._assign(setup)
+        self._charges = Charges(setup.behaviours, self._views, setup.capabilities)
+        self._take_on(setup)
         self._ask_about_every_task()
+        self._reports = Reports(setup.robot_id, self._charges, setup.others_tasks)
         try:
             self._cycle = Cycle(setup.agent.rate, setup.control_rate)
-        except ValueError as error:
-            raise RobotError(f"{setup.robot_id}: agent {_name(setup.agent)}: {error}") from error
+        except (TypeError, ValueError) as error:
+            raise RobotError(f"{setup.robot_id}: {self._agent_name}: {error}") from error
         self._listeners = self._listen(setup)
         self._commander = Commander()
         self._heard: List[Heard] = []
-        self._reports: List[TaskReport] = []
-        self._finished: Set[str] = set()
-        self._running: Optional[_Charge] = None
+        self._running: Optional[Charge] = None
         self._refused: Optional[str] = None
         self._tick = -1
         self._paused = False
@@ -127,37 +129,37 @@ class RobotHost:
         if self._paused:
             return ()
         says: List[Outgoing] = []
-        if self._running and self._running.task.id in self._finished:
+        for complaint in self._reports.take_complaints():
+            self._log(complaint, says, warning=True)
+        if self._running is not None and self._charges.is_over(self._running):
             self._drop("ended elsewhere", says)
         if self._cycle.due(tick):
             self._decide(says)
         self._carry_out(says)
         return says
 
-    def _assign(self, setup: HostSetup) -> Dict[str, _Charge]:
-        charges: Dict[str, _Charge] = {}
-        for task in setup.tasks:
-            if task.id in charges:
-                raise RobotError(f"{setup.robot_id}: two tasks with the id {task.id!r}; ids must be unique")
-            behaviour = setup.behaviours.get(task.kind)
-            if behaviour is None:
-                raise RobotError(
-                    f"{setup.robot_id}: task {task.id!r}: no behaviour carries out the kind {task.kind!r}; "
-                    f"there are {_listed(setup.behaviours)}"
-                )
-            charges[task.id] = _Charge(task, behaviour, self._views[task.kind])
-        return charges
+    def _take_on(self, setup: HostSetup) -> None:
+        for tasks, later in ((setup.tasks, False), (setup.later_tasks, True)):
+            for task in tasks:
+                if self._charges.find(task.id) is not None:
+                    raise RobotError(f"{setup.robot_id}: two tasks with the id {task.id!r}; ids must be unique")
+                try:
+                    self._charges.take_on(self._charges.charge(task), later=later)
+                except ValueError as error:
+                    raise RobotError(f"{setup.robot_id}: task {task.id!r}: {error}") from error
 
     def _ask_about_every_task(self) -> None:
         """Let behaviours refuse what makes no sense in a task now, before anything is said or moves."""
         problems: List[str] = []
         cause: Optional[Exception] = None
-        for charge in self._charges.values():
+        for charge in self._charges:
+            if self._charges.incapacity(charge.task):
+                continue
             try:
                 charge.behaviour.applicable(charge.task, charge.perception)
             except Exception as error:  # noqa: BLE001 - a plugin may raise anything; all tasks are asked about first
-                who = f"behaviour {charge.task.kind!r} on task {charge.task.id!r}"
-                problems.append(f"{self._robot_id}: {who} cannot begin: {type(error).__name__}: {error}")
+                cannot = f"{type(error).__name__}: {error}"
+                problems.append(f"{self._robot_id}: {_who(charge)} cannot begin: {cannot}")
                 cause = cause or error
         if problems:
             raise RobotError("\n".join(problems)) from cause
@@ -167,7 +169,7 @@ class RobotHost:
         audiences: Dict[Subscription, Audience] = {}
         for kind, behaviour in setup.behaviours.items():
             topics: Set[str] = set()
-            for subscription in self._guard(f"behaviour {kind!r}", behaviour.subscriptions):
+            for subscription in self._wishes(f"behaviour {kind!r}", behaviour.subscriptions):
                 if subscription.topic in topics:
                     raise RobotError(
                         f"{setup.robot_id}: behaviour {kind!r} subscribes to {subscription.topic!r} twice; "
@@ -177,10 +179,13 @@ class RobotHost:
                 audience = audiences.setdefault(subscription, Audience(subscription.topic))
                 audience.add(self._views[kind])
         listeners.extend((wish, self._awake(audience.hear)) for wish, audience in audiences.items())
-        listeners.append((PROGRESS, self._awake(self._hear_progress)))
-        wishes = self._guard(f"agent {_name(setup.agent)}", setup.agent.subscriptions)
+        listeners.append((PROGRESS, self._awake(self._reports.hear)))
+        wishes = self._wishes(self._agent_name, setup.agent.subscriptions)
         listeners.extend((wish, self._awake(self._hear_for_agent)) for wish in wishes)
         return tuple(listeners)
+
+    def _wishes(self, who: str, ask: Callable[[], Sequence[Subscription]]) -> Tuple[Subscription, ...]:
+        return self._guard(who, lambda: tuple(_checked(each, Subscription) for each in ask()))
 
     def _awake(self, hear: _Callback) -> _Callback:
         def hear_unless_paused(heard: Heard) -> None:
@@ -192,51 +197,41 @@ class RobotHost:
     def _hear_for_agent(self, heard: Heard) -> None:
         self._heard.append(heard)
 
-    def _hear_progress(self, heard: Heard) -> None:
-        told = read_progress(heard)
-        if told is None:
-            return
-        by_a_robot = told.progress in _TOLD_BY_BEHAVIOURS and told.robot != ""
-        if by_a_robot and told.robot == self._robot_id:
-            return  # an echo: the agent is told without the detour
-        if by_a_robot and told.progress in (Progress.RUNNING, Progress.UNREACHABLE):
-            return  # true of that robot only
-        if told.progress in _ENDS_TASK:
-            self._finished.add(told.task)
-        elif told.progress is Progress.APPEARED:
-            self._finished.discard(told.task)
-        self._reports.append(TaskReport(told.task, told.progress, told.detail))
-
     def _decide(self, says: List[Outgoing]) -> None:
         situation = Situation(
             now=self._senses.now,
             heard=tuple(self._heard),
-            reports=tuple(self._reports),
-            applicable={task_id: self._applicable(charge) for task_id, charge in self._charges.items()},
+            reports=self._reports.take(),
+            applicable=self._applicable(),
             cost=self._cost,
             pose=self._senses.pose,
         )
         self._heard.clear()
-        self._reports.clear()
-        decision = self._guard(f"agent {_name(self._agent)}", lambda: self._agent.step(situation))
-        says.extend(decision.messages)
+        decision = self._guard(self._agent_name, lambda: _checked(self._agent.step(situation), Decision))
+        self._guard(self._agent_name, lambda: _extend(says, decision.messages))
         self._follow(decision.task, says)
 
-    def _applicable(self, charge: _Charge) -> bool:
-        if charge.task.id in self._finished:
-            return False
-        return self._ask(charge, lambda: charge.behaviour.applicable(charge.task, charge.perception))
+    def _applicable(self) -> Dict[str, bool]:
+        applicable = {}
+        for charge in self._charges:
+            task, behaviour, perception = charge
+            try:
+                applicable[task.id] = not self._charges.hindrance(charge) and behaviour.applicable(task, perception)
+            except Exception as error:
+                raise self._failure(_who(charge), error) from error
+        return applicable
 
     def _cost(self, task_id: str) -> Optional[float]:
         charge = self._charge(task_id, "asked for the cost of")
-        return self._ask(charge, lambda: charge.behaviour.cost(charge.task, charge.perception))
+        return self._guard(_who(charge), lambda: charge.behaviour.cost(charge.task, charge.perception))
 
-    def _charge(self, task_id: str, verb: str) -> _Charge:
-        charge = self._charges.get(task_id)
+    def _charge(self, task_id: str, verb: str) -> Charge:
+        charge = self._charges.find(task_id)
         if charge is None:
+            has = listed([each.task.id for each in self._charges])
             raise RobotError(
-                f"{self._robot_id}: agent {_name(self._agent)} {verb} task {task_id!r}, which this robot does not "
-                f"have; it has {_listed(self._charges)}"
+                f"{self._robot_id}: {self._agent_name} {verb} task {task_id!r}, which this robot does not "
+                f"have; it has {has}"
             )
         return charge
 
@@ -251,12 +246,13 @@ class RobotHost:
             self._drop("let go" if chosen is None else f"let go for task={chosen}", says)
         if chosen is None:
             return
-        if chosen in self._finished:
+        hindrance = self._charges.hindrance(charge)
+        if hindrance:
             if self._refused is None:
                 self._refused = chosen
-                self._log(f"task={chosen} chosen, but it is finished", says, warning=True)
+                self._log(f"task={chosen} chosen, but {hindrance}", says, warning=True)
             return
-        self._ask(charge, lambda: charge.behaviour.start(charge.task, charge.perception))
+        self._guard(_who(charge), lambda: charge.behaviour.start(charge.task, charge.perception))
         self._running = charge
         self._tell(charge.task.id, Progress.RUNNING, "", says)
 
@@ -265,15 +261,21 @@ class RobotHost:
         if charge is None:
             says.extend(self._commander.publish(()))
             return
-        step = self._ask(charge, lambda: _checked(charge.behaviour.step(charge.task, charge.perception)))
-        says.extend(step.messages)
-        says.extend(self._ask(charge, lambda: self._commander.publish(step.commands)))
+        task, behaviour, perception = charge
+        try:
+            step = _checked(behaviour.step(task, perception), BehaviourStep)
+            if step.progress not in _TOLD_BY_BEHAVIOURS:
+                accepted = ", ".join(progress.name for progress in _TOLD_BY_BEHAVIOURS)
+                raise ValueError(f"a progress of {step.progress!r}; {accepted} are accepted")
+            if step.messages:
+                _extend(says, step.messages)
+            says.extend(self._commander.publish(step.commands))
+        except Exception as error:
+            raise self._failure(_who(charge), error) from error
         if step.progress is not Progress.RUNNING:
             self._running = None
-            if step.progress in _ENDS_TASK:
-                self._finished.add(charge.task.id)
-            self._reports.append(TaskReport(charge.task.id, step.progress, step.detail))
-            self._tell(charge.task.id, step.progress, step.detail, says)
+            self._reports.add(task.id, step.progress, step.detail)
+            self._tell(task.id, step.progress, step.detail, says)
 
     def _drop(self, why: str, says: List[Outgoing]) -> None:
         if self._running:
@@ -288,30 +290,28 @@ class RobotHost:
         line = f"robot={self._robot_id} {text}"
         says.append(log_message(self._robot_id, line, self._senses.now, warning=warning))
 
-    def _ask(self, charge: _Charge, question: Callable[[], _Result]) -> _Result:
-        return self._guard(f"behaviour {charge.task.kind!r} on task {charge.task.id!r}", question)
-
     def _guard(self, who: str, question: Callable[[], _Result]) -> _Result:
         try:
             return question()
         except RobotError:
             raise
         except Exception as error:
-            raise RobotError(
-                f"{self._robot_id}: {who} failed at {self._senses.now:.3f} s: {type(error).__name__}: {error}"
-            ) from error
+            raise self._failure(who, error) from error
+
+    def _failure(self, who: str, error: Exception) -> RobotError:
+        cause = f"{type(error).__name__}: {error}"
+        return RobotError(f"{self._robot_id}: {who} failed at {self._senses.now:.3f} s: {cause}")
 
 
-def _checked(step: BehaviourStep) -> BehaviourStep:
-    if step.progress not in _TOLD_BY_BEHAVIOURS:
-        accepted = ", ".join(progress.name for progress in _TOLD_BY_BEHAVIOURS)
-        raise ValueError(f"a progress of {step.progress!r}; {accepted} are accepted")
-    return step
+def _who(charge: Charge) -> str:
+    return f"behaviour {charge.task.kind!r} on task {charge.task.id!r}"
 
 
-def _name(agent: Agent) -> str:
-    return type(agent).__name__
+def _checked(value: _Result, wanted: type) -> _Result:
+    if not isinstance(value, wanted):
+        raise TypeError(f"answered {value!r}; accepted is {wanted.__name__}")
+    return value
 
 
-def _listed(names: Mapping[str, object]) -> str:
-    return ", ".join(map(repr, names)) or "none"
+def _extend(says: List[Outgoing], messages: Iterable[Outgoing]) -> None:
+    says.extend(_checked(message, Outgoing) for message in messages)

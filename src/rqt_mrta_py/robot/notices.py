@@ -1,13 +1,16 @@
-"""What a host tells of its tasks: progress for everybody, log lines for people."""
+"""What hosts tell each other of tasks: progress for everybody, log lines for people."""
 
 from __future__ import annotations
 
-from typing import NamedTuple, Optional
+from functools import lru_cache
+from typing import NamedTuple, Optional, Union
 
+from rqt_mrta_py.config import read_task
+from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.hooks import Heard, Outgoing, Subscription
-from rqt_mrta_py.model import Progress, normalise_id
+from rqt_mrta_py.model import Progress, Task, normalise_id
 
-__all__ = ["PROGRESS", "HeardProgress", "log_message", "progress_message", "read_progress"]
+__all__ = ["PROGRESS", "HeardProgress", "log_message", "progress_message", "read_definition", "read_progress"]
 
 # The constants of rqt_mrta_py/TaskProgress, each at the index of its value.
 _PROGRESS_BY_CODE = (
@@ -24,7 +27,7 @@ _TYPE = "rqt_mrta_py/TaskProgress"
 _INFO = 2  # rosgraph_msgs/Log.INFO
 _WARN = 4  # rosgraph_msgs/Log.WARN
 
-PROGRESS = Subscription(_TOPIC, _TYPE, ("task_id", "robot_id", "progress", "detail"))
+PROGRESS = Subscription(_TOPIC, _TYPE, ("task_id", "robot_id", "progress", "detail", "task_yaml"))
 """What to subscribe to for ``read_progress``."""
 
 
@@ -32,16 +35,18 @@ class HeardProgress(NamedTuple):
     """A task's progress as it was heard.
 
     Attributes:
-        task: its id.
+        task: normalised id.
         robot: normalised id of the robot that tells it, or that the task shall go to; empty if none.
         progress: what is told.
         detail: why.
+        definition: of a task that appeared, what it is, as text that nobody has looked at; empty if not told.
     """
 
     task: str
     robot: str
     progress: Progress
     detail: str
+    definition: str
 
 
 def read_progress(heard: Heard) -> Optional[HeardProgress]:
@@ -50,7 +55,33 @@ def read_progress(heard: Heard) -> Optional[HeardProgress]:
     code = fields["progress"]
     if not 0 <= code < len(_PROGRESS_BY_CODE):
         return None
-    return HeardProgress(fields["task_id"], normalise_id(fields["robot_id"]), _PROGRESS_BY_CODE[code], fields["detail"])
+    return HeardProgress(
+        normalise_id(fields["task_id"]),
+        normalise_id(fields["robot_id"]),
+        _PROGRESS_BY_CODE[code],
+        fields["detail"],
+        fields["task_yaml"],
+    )
+
+
+# A whole team hears the same text.
+@lru_cache(maxsize=16)
+def read_definition(text: str, task_id: str) -> Union[Task, str]:
+    """Read what a task is that appeared.
+
+    Args:
+        text: from anybody.
+        task_id: normalised id of the task that it shall define.
+
+    Returns:
+        The task; or what is wrong with the text, in one line.
+    """
+    try:
+        task = read_task(text, "task_yaml")
+    except ConfigError as error:
+        more = len(error.problems) - 1
+        return f"{error.problems[0]}{f' (and {more} more)' if more else ''}"
+    return task if task.id == task_id else f"task_yaml: defines {task.id!r}"
 
 
 def progress_message(robot_id: str, task_id: str, progress: Progress, detail: str, now: float) -> Outgoing:
