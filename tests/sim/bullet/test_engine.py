@@ -57,10 +57,10 @@ def test_engine_sets_its_parameters_again_after_every_reset():
     engine = Engine()
     try:
         for _ in range(2):
-            engine.reset()
+            engine.reset(1 / 40)
             parameters = engine.bullet.getPhysicsEngineParameters(physicsClientId=engine.client)
-            assert parameters["numSolverIterations"] == 20
-            assert parameters["fixedTimeStep"] == pytest.approx(1 / 120)
+            assert parameters["numSolverIterations"] == 25
+            assert parameters["fixedTimeStep"] == pytest.approx(1 / 40)
             assert parameters["gravityAccelerationZ"] == pytest.approx(-9.81)
     finally:
         engine.close()

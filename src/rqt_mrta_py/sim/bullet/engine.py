@@ -10,13 +10,10 @@ from typing import Any, Iterator
 
 from rqt_mrta_py.errors import MissingDependencyError, SimError
 
-__all__ = ["PHYSICS_RATE", "Engine", "load_pybullet"]
-
-PHYSICS_RATE = 120
-"""Physics steps a second [Hz]."""
+__all__ = ["Engine", "load_pybullet"]
 
 _GRAVITY = 9.81
-_SOLVER_ITERATIONS = 20
+_SOLVER_ITERATIONS = 25
 """With 10, wheel speeds are off by some 2 mm/s, which a robot that waits would creep."""
 _CONTACT_BREAKING_THRESHOLD = 0.001
 
@@ -56,11 +53,15 @@ class Engine:
         if self.client < 0:
             raise SimError("world bullet: PyBullet gives no further physics client; close worlds that are not used")
 
-    def reset(self) -> None:
-        """Remove everything and set the engine up again, for a reset resets its parameters too."""
+    def reset(self, step: float) -> None:
+        """Remove everything and set the engine up again, for a reset resets its parameters too.
+
+        Args:
+            step: length of one physics step [s].
+        """
         self.bullet.resetSimulation(physicsClientId=self.client)
         self.bullet.setPhysicsEngineParameter(
-            fixedTimeStep=1.0 / PHYSICS_RATE,
+            fixedTimeStep=step,
             numSolverIterations=_SOLVER_ITERATIONS,
             contactBreakingThreshold=_CONTACT_BREAKING_THRESHOLD,
             # Two friction forces, each on its own, take a tenth less time, and wheels hold as well.

@@ -8,12 +8,14 @@ from typing import Dict, NamedTuple, Optional
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import Body, BodyState
 from rqt_mrta_py.sim.bullet.engine import Engine
+from rqt_mrta_py.sim.bullet.surroundings import LOOSE_GROUP
 from rqt_mrta_py.sim.bullet.wheeled_robot import WheeledRobot
 
 __all__ = ["LooseBodies"]
 
 _BASE = -1
 _ROBOT_LINKS = (_BASE, 0, 1)
+_EVERYTHING = -1
 
 
 class _Hold(NamedTuple):
@@ -56,6 +58,7 @@ class LooseBodies:
             physicsClientId=client,
         )
         bullet.changeDynamics(number, _BASE, lateralFriction=body.friction, physicsClientId=client)
+        bullet.setCollisionFilterGroupMask(number, _BASE, LOOSE_GROUP, _EVERYTHING, physicsClientId=client)
         self._bodies[body.id] = number
         return number
 

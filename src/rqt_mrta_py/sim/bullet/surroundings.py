@@ -9,13 +9,21 @@ from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.model import Arena, Obstacle
 from rqt_mrta_py.sim.bullet.engine import Engine
 
-__all__ = ["WALL", "build_surroundings"]
+__all__ = ["LOOSE_GROUP", "WALL", "build_surroundings"]
 
 WALL = "wall"
 """The name of every wall in contacts."""
 
+LOOSE_GROUP = 64
+"""The collision group of loose bodies, which have a floor of their own."""
+
+_ROBOT_GROUP = 1
+"""PyBullet's for all that has a mass."""
+_FIXED_GROUP = 2
+"""PyBullet's for all that has none."""
 _WALL_THICKNESS = 0.1
 _FLOOR_THICKNESS = 0.01
+_GROUND_DEPTH = 1.0
 _FLOOR_FRICTION = 1.0
 """Bullet multiplies the frictions of what touches: with 1 here, a body on the floor slides by its own coefficient."""
 
@@ -70,7 +78,11 @@ def _walls(arena: Arena) -> Tuple[Tuple[Tuple[float, float, float], Tuple[float,
 
 
 def _build_floor(engine: Engine, arena: Arena) -> None:
-    """Build an endless plane to stand on, with a slab as large as the arena to be seen."""
+    """Build an endless plane for robots to drive on, seen as a slab, and ground for loose bodies to lie on.
+
+    On a plane, Bullet gives a box one new point of contact a step, so that boxes sink and turn by themselves; on
+    another box, it gives all four.
+    """
     bullet, client = engine.bullet, engine.client
     slab = bullet.createVisualShape(
         bullet.GEOM_BOX,
@@ -83,7 +95,20 @@ def _build_floor(engine: Engine, arena: Arena) -> None:
         physicsClientId=client,
     )
     floor = bullet.createMultiBody(0, _shape(engine, bullet.GEOM_PLANE), slab, physicsClientId=client)
-    bullet.changeDynamics(floor, -1, lateralFriction=_FLOOR_FRICTION, physicsClientId=client)
+    _lay(engine, floor, _ROBOT_GROUP)
+    half_sides = ((arena.max_x - arena.min_x) / 2, (arena.max_y - arena.min_y) / 2)
+    ground = _shape(
+        engine, bullet.GEOM_BOX, halfExtents=(*(half + _WALL_THICKNESS for half in half_sides), _GROUND_DEPTH / 2)
+    )
+    centre = ((arena.min_x + arena.max_x) / 2, (arena.min_y + arena.max_y) / 2, -_GROUND_DEPTH / 2)
+    _lay(engine, _fixed_body(engine, ground, centre, 0.0), LOOSE_GROUP)
+
+
+def _lay(engine: Engine, floor: int, group: int) -> None:
+    """Make a body the floor of one collision group."""
+    client = engine.client
+    engine.bullet.changeDynamics(floor, -1, lateralFriction=_FLOOR_FRICTION, physicsClientId=client)
+    engine.bullet.setCollisionFilterGroupMask(floor, -1, _FIXED_GROUP, group, physicsClientId=client)
 
 
 def _shape(engine: Engine, kind: int, **dimensions: Any) -> int:

@@ -16,7 +16,7 @@ from rqt_mrta_py.sim.bullet.engine import Engine
 __all__ = ["WheeledRobot"]
 
 _WHEEL_MASS_SHARE = 0.3 / 5.6
-_WHEEL_INERTIA_SHARE = 0.36
+_WHEEL_INERTIA_SHARE = 0.5
 """A wheel's moment of inertia about its axle, over the robot's mass and the wheel's radius squared: motor and gear turn
 with it. With the bare wheel's the solver would not converge: robots told to stand still crept by 6 mm/s, and turning
 on the spot one wheel was 4 % slow, the other 9 % fast."""

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import Body, BodyState, Contact, WorldSetup
 from rqt_mrta_py.model import Twist
-from rqt_mrta_py.sim.bullet.engine import PHYSICS_RATE, Engine
+from rqt_mrta_py.sim.bullet.engine import Engine
 from rqt_mrta_py.sim.bullet.loose_bodies import LooseBodies
 from rqt_mrta_py.sim.bullet.range_rays import cast_rays
 from rqt_mrta_py.sim.bullet.surroundings import WALL, build_surroundings
@@ -20,6 +20,11 @@ from rqt_mrta_py.sim.bullet.wheeled_robot import WheeledRobot
 __all__ = ["BulletWorld"]
 
 _CAPABILITIES = frozenset({"attach", "bodies", "contacts", "drive:differential", "freeze", "ranges"})
+_LONGEST_STEP = 1 / 40
+"""Of physics [s]; wheels that may slip need no shorter ones, and each costs as much as the next."""
+_FARTHEST_STEP = 0.0125
+"""What a robot may drive in one physics step [m]: so deep it may be in a wall before the wall pushes back."""
+_EXACT = 1e-9
 
 
 class BulletWorld:
@@ -47,10 +52,10 @@ class BulletWorld:
         """Build everything anew; all earlier bodies are gone.
 
         Raises:
-            SimError: an id is given twice, a drive or shape cannot be built, or the tick does not divide.
+            SimError: an id is given twice, a drive or shape cannot be built, or the tick is no time.
             MissingDependencyError: PyBullet is not installed.
         """
-        self._physics_steps = _physics_steps(setup.tick)
+        self._physics_steps = _physics_steps(setup)
         _check_ids(setup)
         for robot in setup.robots:
             if f"drive:{robot.model.drive}" not in _CAPABILITIES:
@@ -60,7 +65,7 @@ class BulletWorld:
                 )
         if self._engine is None:
             self._engine = Engine()
-        self._engine.reset()
+        self._engine.reset(setup.tick / self._physics_steps)
         self._names = build_surroundings(self._engine, setup.arena, setup.obstacles)
         self._robots = {robot.id: WheeledRobot(self._engine, robot) for robot in setup.robots}
         self._rows = {robot_id: row for row, robot_id in enumerate(self._robots)}
@@ -209,15 +214,13 @@ class BulletWorld:
             self._poses[:] = rows
 
 
-def _physics_steps(tick: float) -> int:
-    """Count the physics steps in a tick, which they must fill exactly."""
-    steps = tick * PHYSICS_RATE
-    if not math.isfinite(steps) or round(steps) < 1 or abs(steps - round(steps)) > 1e-6:
-        raise SimError(
-            f"world bullet: a tick of {tick!r} s is not a whole number of physics steps of 1/{PHYSICS_RATE} s "
-            f"({steps:g} of them); give a control rate that divides {PHYSICS_RATE} Hz, such as 20"
-        )
-    return round(steps)
+def _physics_steps(setup: WorldSetup) -> int:
+    """Divide a tick into physics steps, none so long that the fastest robot gets too deep into what it hits."""
+    tick = setup.tick
+    if not 0 < tick < math.inf:
+        raise SimError(f"world bullet: a tick of {tick!r} s; give a finite time above 0 s")
+    fastest = max((robot.model.max_speed for robot in setup.robots), default=0.0)
+    return max(1, math.ceil(tick * max(1 / _LONGEST_STEP, fastest / _FARTHEST_STEP) - _EXACT))
 
 
 def _check_ids(setup: WorldSetup) -> None:
