@@ -4,20 +4,19 @@ from __future__ import annotations
 
 import argparse
 import importlib
-import logging
 import sys
-import traceback
-from typing import List, Optional, Sequence
+from typing import Any, List, Optional, Sequence
 
 from rqt_mrta_py import __version__
-from rqt_mrta_py.app.cli.log_format import LogFormatter
-from rqt_mrta_py.app.cli.parser import CommandParser, VerbParser
+from rqt_mrta_py.app.cli.logs import start_logging
+from rqt_mrta_py.app.cli.parser import CommandParser, VerbParser, verbosity
+from rqt_mrta_py.app.cli.plugin_verbs import add_plugin_verb, help_on_plugin_verbs
 from rqt_mrta_py.app.cli.stdout import mute
 from rqt_mrta_py.errors import MrtaError
 
 __all__ = ["main"]
 
-VERBS = ("list", "show", "run", "review")
+VERBS = ("list", "show", "run", "review", "bench")
 
 _DESCRIPTION = "Supervise teams of robots that share out tasks among themselves (multi-robot task allocation)."
 _EPILOG = "Exit status: 0 done, 1 judged bad, 2 wrong usage, 3 bad input, 4 something is missing here, 130 interrupted."
@@ -32,14 +31,13 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     Returns:
         The exit status.
     """
+    arguments = without_remappings(sys.argv[1:] if argv is None else argv)
     verbose = 0
     try:
-        options = _parser().parse_args(without_remappings(sys.argv[1:] if argv is None else argv))
-        verbose = options.verbose
-        level = logging.WARNING + 10 * options.quiet - 10 * verbose
-        handler = logging.StreamHandler(sys.stderr)
-        handler.setFormatter(LogFormatter(tracebacks=verbose >= 2))
-        logging.basicConfig(level=max(level, logging.DEBUG), handlers=[handler])
+        wish = verbosity().parse_known_args(arguments)[0]
+        verbose = wish.verbose
+        start_logging(verbose, wish.quiet)
+        options = _parser(_verb(arguments)).parse_args(arguments)
         return int(options.main(options))
     except MrtaError as error:
         _complain(str(error), verbose)
@@ -62,22 +60,33 @@ def without_remappings(arguments: Sequence[str]) -> List[str]:
 
 def _complain(message: str, verbose: int) -> None:
     if verbose >= 2:
+        import traceback
+
         traceback.print_exc()
     for line in message.splitlines():
         print(f"mrta: {line}", file=sys.stderr)
 
 
-def _parser() -> argparse.ArgumentParser:
-    common = VerbParser(add_help=False)
-    common.add_argument("-v", "--verbose", action="count", default=0, help="say more on stderr; -vv with tracebacks")
-    common.add_argument("-q", "--quiet", action="count", default=0, help="say less on stderr")
+def _verb(arguments: Sequence[str]) -> Optional[str]:
+    """Give the verb that is asked for; None if there is none, for what stands before it asks for something else."""
+    return arguments[0] if arguments and not arguments[0].startswith("-") else None
+
+
+def _parser(verb: Optional[str] = None) -> argparse.ArgumentParser:
+    """Make a parser that knows our own verbs and, if it is none of them, the one of a plugin that is asked for."""
+    common = verbosity()
     parser = CommandParser(prog="mrta", description=_DESCRIPTION, epilog=_EPILOG)
+    parser.appendix = lambda: help_on_plugin_verbs(VERBS)
     parser.add_argument("--version", action="version", version=f"rqt_mrta_py {__version__}")
-    verbs = parser.add_subparsers(title="verbs", metavar="VERB", dest="verb", required=True, parser_class=VerbParser)
+    verbs: Any = parser.add_subparsers(
+        title="verbs", metavar="VERB", dest="verb", required=True, parser_class=VerbParser
+    )
     for name in VERBS:
         module = importlib.import_module(f"rqt_mrta_py.app.cli.{name}")
         first_line = (module.__doc__ or "").splitlines()[0]
-        verb = verbs.add_parser(name, parents=[common], help=first_line, description=first_line)
-        module.add_arguments(verb)
-        verb.set_defaults(main=module.main)
+        own = verbs.add_parser(name, parents=[common], help=first_line, description=first_line)
+        module.add_arguments(own)
+        own.set_defaults(main=module.main)
+    if verb is not None and verb not in VERBS:
+        add_plugin_verb(verb, VERBS, verbs, common)
     return parser

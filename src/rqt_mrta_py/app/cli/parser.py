@@ -4,16 +4,33 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import Any, NoReturn, Optional, Tuple
+from typing import Any, Callable, NoReturn, Optional, Tuple
 
-__all__ = ["CommandParser", "VerbParser"]
+__all__ = ["CommandParser", "VerbParser", "verbosity"]
+
+
+def verbosity() -> argparse.ArgumentParser:
+    """Make a parser of what every verb takes."""
+    parser = CommandParser(prog="mrta", add_help=False)
+    parser.add_argument("-v", "--verbose", action="count", default=0, help="say more on stderr; -vv with tracebacks")
+    parser.add_argument("-q", "--quiet", action="count", default=0, help="say less on stderr")
+    return parser
 
 
 class CommandParser(argparse.ArgumentParser):
-    """Wants options in full, so that one added later never changes what a script means."""
+    """Wants options in full, so that one added later never changes what a script means.
+
+    Attributes:
+        appendix: writes what follows the help page, when that is asked for; None for nothing.
+    """
 
     def __init__(self, **settings: Any) -> None:
         super().__init__(**{"allow_abbrev": False, **settings})
+        self.appendix: Optional[Callable[[], str]] = None
+
+    def format_help(self) -> str:
+        """Write the help page."""
+        return super().format_help() + (self.appendix() if self.appendix else "")
 
     def error(self, message: str) -> NoReturn:
         """Exit with status 2 and one line."""

@@ -1,0 +1,83 @@
+"""Measure against peers and published tables; without a name, list what can be measured."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from rqt_mrta_py.app.cli.common import complain_about, print_json, print_table
+from rqt_mrta_py.app.cli.parser import CommandParser, VerbParser, verbosity
+from rqt_mrta_py.app.cli.stdout import standard_output
+from rqt_mrta_py.errors import MrtaError
+
+__all__ = ["add_arguments", "main"]
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what the verb takes."""
+    parser.add_argument("name", nargs="?", metavar="NAME", help="of a benchmark; mrta bench NAME --help tells more")
+    parser.add_argument("rest", nargs=argparse.REMAINDER, metavar="...", help="what the benchmark takes")
+    parser.add_argument("--json", action="store_true", help="print as JSON")
+    if isinstance(parser, CommandParser):
+        parser.appendix = _help_on_benchmarks
+
+
+def main(options: argparse.Namespace) -> int:
+    """List benchmarks, or measure one and print its table."""
+    from rqt_mrta_py.app.benchmarks import benchmark_named, benchmarks_of, measured, owner_of, prepared
+    from rqt_mrta_py.app.compose import compose
+
+    host = compose()
+    complain_about(host.problems)
+    if options.name is None:
+        known = benchmarks_of(host.manager)
+        rows = [(name, owner_of(host.manager, name), benchmark.help) for name, benchmark in known.items()]
+        with standard_output():
+            if options.json:
+                print_json("benchmarks", {"benchmarks": [dict(zip(("name", "plugin", "help"), row)) for row in rows]})
+            else:
+                print_table(("NAME", "PLUGIN", "MEASURES"), rows)
+        return 0
+    about = benchmark_named(host.manager, options.name).help.replace("%", "%%")
+    parser = VerbParser(prog=f"mrta bench {options.name}", description=about, parents=[verbosity()])
+    parser.add_argument("--json", action="store_true", default=options.json, help="print as JSON")
+    prepared(host.manager, options.name, parser)
+    own = parser.parse_args(options.rest)
+    table = measured(host.manager, options.name, own)
+    with standard_output():
+        if own.json:
+            print_json(
+                "bench",
+                {
+                    "benchmark": options.name,
+                    "title": table.title,
+                    "columns": list(table.columns),
+                    "rows": [list(row) for row in table.rows],
+                    "notes": list(table.notes),
+                },
+            )
+        else:
+            print(f"{table.title}\n")
+            print_table(table.columns, [[_cell(cell) for cell in row] for row in table.rows])
+            if table.notes:
+                print("", *table.notes, sep="\n")
+    return 0
+
+
+def _help_on_benchmarks() -> str:
+    """Write the section of the help page that names the benchmarks."""
+    from rqt_mrta_py.app.benchmarks import benchmarks_of
+    from rqt_mrta_py.app.compose import compose
+
+    try:
+        known = benchmarks_of(compose().manager)
+    except MrtaError as error:
+        return f"\nbenchmarks cannot be told: {error}\n"
+    width = max(map(len, known), default=0)
+    return "\n".join(["", "benchmarks:", *(f"  {name.ljust(width)}  {each.help}" for name, each in known.items()), ""])
+
+
+def _cell(value: Any) -> str:
+    if value is None:
+        return "-"
+    return f"{value:.4g}" if isinstance(value, float) else str(value)
