@@ -7,8 +7,10 @@ import pluggy
 from rqt_mrta_py.hooks import PROJECT, HookSpecs
 from rqt_mrta_py.sim import plugin
 from rqt_mrta_py.sim.bullet import BulletWorld
+from rqt_mrta_py.sim.radio import LossyLink, PerfectLink
 from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
 from rqt_mrta_py.sim.sensors import Localiser, Odometry, RangeFinder
+from tests.sim.radio.support import link_setup
 from tests.sim.sensors.support import context
 
 
@@ -31,3 +33,9 @@ def test_diff_drive_fits_into_its_own_radius():
     wheel = DIFF_DRIVE.track / 2 + DIFF_DRIVE.wheel_radius
     assert max(corner, wheel) <= DIFF_DRIVE.radius
     assert 2 * DIFF_DRIVE.wheel_radius < DIFF_DRIVE.sensor_height < DIFF_DRIVE.height
+
+
+def test_plugin_registers_the_radios_of_the_room():
+    links = plugin.mrta_register_links()
+    made = {kind: type(factory(link_setup({}))) for kind, factory in links.items()}
+    assert made == {"lossy": LossyLink, "perfect": PerfectLink}

@@ -14,6 +14,7 @@ from rqt_mrta_py.model import (
     Arena,
     Obstacle,
     Pose,
+    RadioSetup,
     RobotSetup,
     ScenarioEvent,
     ScenarioEventKind,
@@ -21,10 +22,16 @@ from rqt_mrta_py.model import (
     SensorSetup,
     Twist,
 )
-from rqt_mrta_py.sim import PerfectLink, Simulation
-from rqt_mrta_py.sim.plugin import mrta_register_robot_models, mrta_register_sensors, mrta_register_worlds
+from rqt_mrta_py.sim import Simulation
+from rqt_mrta_py.sim.plugin import (
+    mrta_register_links,
+    mrta_register_robot_models,
+    mrta_register_sensors,
+    mrta_register_worlds,
+)
 from tests.sim.doubles import StillWorld
 
+KIND = ScenarioEventKind
 STOPS, RETURNS = ScenarioEventKind.ROBOT_STOPS, ScenarioEventKind.ROBOT_RETURNS
 RATE = 20
 SENSORS = (SensorSetup("odometry", "odom", 10.0), SensorSetup("localiser", "pose", 10.0))
@@ -41,6 +48,8 @@ def simulation(spec, world=None, **changes):
         "models": mrta_register_robot_models(),
         "sensors": mrta_register_sensors(),
         "worlds": {"still": lambda: StillWorld() if world is None else world, **mrta_register_worlds()},
+        "links": mrta_register_links(),
+        "link_random": lambda sender, receiver: np.random.default_rng([*f"{sender} {receiver}".encode()]),
         "generators": {robot.id: np.random.default_rng(index) for index, robot in enumerate(spec.robots)},
     }
     return Simulation(scenario=spec, **{**known, **changes})
@@ -147,6 +156,168 @@ def test_robot_that_stopped_for_good_does_not_return_from_another_stop():
     assert world.frozen == [("robot1", True)]
 
 
+def test_stuck_robot_stands_still_but_is_heard():
+    world = StillWorld()
+    events = (ScenarioEvent(0.1, KIND.ROBOT_STICKS, "robot1"), ScenarioEvent(0.3, KIND.ROBOT_COMES_FREE, "robot1"))
+    simulated = simulation(scenario(*events), world)
+    assert all(speakers in ([], ["robot1", "robot2"]) for _, speakers in play(simulated, 9))
+    assert world.frozen == [("robot1", True), ("robot1", False)]
+
+
+def test_robot_moves_again_only_when_it_is_neither_stopped_nor_stuck():
+    world = StillWorld()
+    order = [STOPS, KIND.ROBOT_STICKS, RETURNS, KIND.ROBOT_STICKS, KIND.ROBOT_COMES_FREE, KIND.ROBOT_COMES_FREE]
+    events = [ScenarioEvent(number / RATE, kind, "robot1") for number, kind in enumerate(order)]
+    simulated = simulation(scenario(*events), world)
+    stopped, frozen = [], []
+    for tick in range(len(order)):
+        simulated.begin_tick(tick, tick / RATE + 1)
+        stopped.append(simulated.stopped("robot1"))
+        frozen.append(world.frozen[-1])
+    assert stopped == [True, True, False, False, False, False]
+    assert frozen == [("robot1", True)] * 5 + [("robot1", False)]
+    assert len(world.frozen) == 2
+
+
+def test_slow_robot_drives_at_a_share_of_what_it_is_commanded():
+    world = StillWorld()
+    events = [
+        ScenarioEvent(number / RATE, KIND.ROBOT_SLOWS, "robot1", parameters={"factor": factor})
+        for number, factor in enumerate([0.25, 0.0, 1.0])
+    ]
+    simulated = simulation(scenario(*events), world)
+    ((subscription, hear),) = simulated.robots["robot1"].listeners()
+    driven = []
+    for tick in range(3):
+        now = tick / RATE + 1
+        simulated.begin_tick(tick, now)
+        hear(Heard("/robot1/cmd_vel", subscription.type, now, {"linear/x": 0.4, "linear/y": 0.0, "angular/z": 1.0}))
+        simulated.act(now)
+        driven.append(world.commands["robot1"])
+    assert driven == [Twist(0.1, 0.0, 0.25), Twist(), Twist(0.4, 0.0, 1.0)]
+
+
+def test_robot_stamps_what_it_measures_by_its_own_clock():
+    event = ScenarioEvent(0.1, KIND.ROBOT_CLOCK_SHIFTS, "robot1", parameters={"offset": 5.0})
+    simulated = simulation(scenario(event))
+    stamps = {}
+    for tick in (0, 2):
+        simulated.begin_tick(tick, tick / RATE + 1)
+        for robot_id, outgoing in simulated.sense(tick, tick / RATE + 1):
+            stamps[robot_id, tick] = {message.fields["header"]["stamp"] for message in outgoing[:2]}
+            stamps[robot_id, tick].add(outgoing[2].fields["transforms"][0]["header"]["stamp"])
+    assert stamps == {
+        ("robot1", 0): {1.0},
+        ("robot2", 0): {1.0},
+        ("robot1", 2): {6.1},
+        ("robot2", 2): {1.1},
+    }
+    assert (simulated.clock_offset("robot1"), simulated.clock_offset("robot2")) == (5.0, 0.0)
+
+
+def test_robot_judges_the_age_of_a_command_by_its_own_clock():
+    """What it heard by its old clock is too old for a clock that was set forward, until the next command."""
+    world = StillWorld()
+    event = ScenarioEvent(0.1, KIND.ROBOT_CLOCK_SHIFTS, "robot1", parameters={"offset": 5.0})
+    simulated = simulation(scenario(event), world)
+    ((subscription, hear),) = simulated.robots["robot1"].listeners()
+    driven = []
+    for tick in range(4):
+        now = tick / RATE + 1
+        simulated.begin_tick(tick, now)
+        if tick != 2:
+            receipt = now + simulated.clock_offset("robot1")
+            fields = {"linear/x": 0.3, "linear/y": 0.0, "angular/z": 0.0}
+            hear(Heard("/robot1/cmd_vel", subscription.type, receipt, fields))
+        simulated.act(now)
+        driven.append(world.commands["robot1"].vx)
+    assert driven == [0.3, 0.3, 0.0, 0.3]
+
+
+def test_clock_set_back_is_right_after_twice_the_time():
+    event = ScenarioEvent(0.0, KIND.ROBOT_CLOCK_SHIFTS, "robot1", parameters={"offset": -0.05})
+    simulated = simulation(scenario(event))
+    offsets = []
+    for tick in range(4):
+        simulated.begin_tick(tick, tick / RATE + 1)
+        offsets.append(simulated.clock_offset("robot1"))
+    assert offsets == pytest.approx([0.0, -0.025, -0.05, -0.05])
+
+
+def test_radio_fails_as_often_as_it_returns():
+    order = [KIND.RADIO_FAILS, KIND.RADIO_FAILS, KIND.RADIO_RETURNS, KIND.RADIO_RETURNS]
+    simulated = simulation(scenario(*(ScenarioEvent(i / RATE, kind, "robot1") for i, kind in enumerate(order))))
+    heard = []
+    for tick in range(4):
+        simulated.begin_tick(tick, tick / RATE + 1)
+        heard.append(len(simulated.radio.deliveries("robot1", "robot2", tick / RATE + 1)))
+    assert heard == [0, 0, 0, 1]
+
+
+def test_radio_is_that_of_the_scenario_until_it_changes():
+    events = (
+        ScenarioEvent(2 / RATE, KIND.RADIO_CHANGES, parameters={"kind": "perfect"}),
+        ScenarioEvent(1 / RATE, KIND.RADIO_CHANGES, parameters={"kind": "lossy", "delay": 0.5}),
+        ScenarioEvent(3 / RATE, KIND.RADIO_PARTITIONS, parameters={"groups": [["robot1"]]}),
+        ScenarioEvent(4 / RATE, KIND.RADIO_HEALS),
+    )
+    simulated = simulation(scenario(*events, radio=RadioSetup("lossy", {"delay": 0.25})))
+    delays = []
+    for tick in range(5):
+        simulated.begin_tick(tick, tick / RATE + 1)
+        delays.append(list(simulated.radio.deliveries("robot1", "robot2", tick / RATE + 1)))
+    assert delays == [[0.25], [0.5], [0.0], [], [0.0]]
+
+
+def test_radio_reaches_as_far_as_the_robots_are_apart_now():
+    class Rails(StillWorld):
+        """Robot 2 leaves at a metre a step."""
+
+        def poses(self):
+            poses = super().poses()
+            poses[1, 0] += self.steps
+            return poses
+
+    simulated = simulation(scenario(radio=RadioSetup("lossy", {"range": 2.5})), Rails())
+    reached = []
+    for _ in range(4):
+        reached.append(len(simulated.radio.deliveries("robot1", "robot2", 1.0)))
+        simulated.step()
+    assert reached == [1, 1, 0, 0]
+
+
+def test_chance_of_a_pair_does_not_depend_on_the_other_robots():
+    radio = RadioSetup("lossy", {"loss": 0.5, "jitter": 0.1})
+    robots = (*scenario().robots, RobotSetup("robot3", "diff_drive", Pose(0.0, 2.0)))
+    few, many = simulation(scenario(radio=radio)), simulation(scenario(radio=radio, robots=robots))
+    for _ in range(50):
+        many.radio.deliveries("robot3", "robot2", 1.0)
+        assert few.radio.deliveries("robot1", "robot2", 1.0) == many.radio.deliveries("robot1", "robot2", 1.0)
+
+
+def test_chance_of_a_pair_goes_on_when_the_radio_changes():
+    """A generator made anew would repeat itself."""
+    radio = RadioSetup("lossy", {"jitter": 0.1})
+    change = ScenarioEvent(0.0, KIND.RADIO_CHANGES, parameters={"kind": "lossy", "jitter": 0.1})
+    simulated = simulation(scenario(change, radio=radio))
+    before = simulated.radio.deliveries("robot1", "robot2", 1.0)
+    simulated.begin_tick(0, 1.0)
+    assert simulated.radio.deliveries("robot1", "robot2", 1.0) != before
+
+
+def test_what_happens_to_tasks_changes_nothing_in_the_world():
+    world = StillWorld(lacks=["freeze"])
+    events = (
+        ScenarioEvent(0.0, KIND.TASK_APPEARS, None, "dig"),
+        ScenarioEvent(0.0, KIND.TASK_REASSIGNED, "robot1", "dig"),
+    )
+    simulated = simulation(scenario(*events), world)
+    ((happened, speakers),) = play(simulated, 1)
+    assert happened == list(events)
+    assert speakers == ["robot1", "robot2"]
+    assert world.frozen == []
+
+
 @settings(max_examples=40, deadline=None)
 @given(st.lists(st.tuples(st.integers(0, 30), st.integers(0, 30), st.sampled_from(["robot1", "robot2"])), max_size=6))
 def test_robot_speaks_at_exactly_the_ticks_that_no_stop_covers(stops):
@@ -214,13 +385,49 @@ def test_simulation_tells_the_wrong_sensors_of_all_robots_at_once():
 @pytest.mark.parametrize(
     ("event", "message"),
     [
-        (ScenarioEvent(-1.0, STOPS, "robot1"), "event robot_stops at -1 s: time must be finite and at least 0 s"),
-        (ScenarioEvent(math.nan, STOPS, "robot1"), "event robot_stops at nan s: time must be finite and at least 0 s"),
-        (ScenarioEvent(1.0, STOPS, "robot9"), "event robot_stops at 1 s: no robot 'robot9'; there are: robot1, robot2"),
-        (ScenarioEvent(1.0, STOPS), "event robot_stops at 1 s: names no robot; there are: robot1, robot2"),
+        (ScenarioEvent(-1.0, STOPS, "robot1"), "event robot_stops at -1 s: time: must be a number from 0 s (got -1.0)"),
+        (
+            ScenarioEvent(math.nan, STOPS, "robot1"),
+            "event robot_stops at nan s: time: must be a number from 0 s (got nan)",
+        ),
+        (
+            ScenarioEvent(1.0, STOPS, "robot9"),
+            "event robot_stops at 1 s: robot: 'robot9' is no robot of the scenario; nearest is 'robot2'",
+        ),
+        (ScenarioEvent(1.0, STOPS), "event robot_stops at 1 s: robot: is missing; give a text"),
         (
             ScenarioEvent(1.0, RETURNS, "robot1"),
-            "event robot_returns at 1 s: robot1 is not stopped then; let it stop before, once for each return",
+            "event robot_returns at 1 s: kind: robot1 is not stopped then; let it stop before, once for each return",
+        ),
+        (
+            ScenarioEvent(1.0, KIND.ROBOT_SLOWS, "robot1", parameters={"factor": math.nan}),
+            "event robot_slows at 1 s: parameters/factor: must be a number from 0 to 1 (got nan)",
+        ),
+        (
+            ScenarioEvent(1.0, KIND.ROBOT_SLOWS, "robot1", parameters={"factor": 10**400}),
+            "event robot_slows at 1 s: parameters/factor: must be a number from 0 to 1 (got "
+            "100000000000000000000000000000000000000000000000000000000000...)",
+        ),
+        (
+            ScenarioEvent(1.0, KIND.ROBOT_CLOCK_SHIFTS, "robot1", parameters={"offset": "late"}),
+            "event robot_clock_shifts at 1 s: parameters/offset: must be a number from -1e+06 to 1e+06 s (got 'late'); "
+            "YAML takes this for a text: no quotes, and a dot before an exponent, such as 1.0e-3",
+        ),
+        (
+            ScenarioEvent(1.0, KIND.RADIO_HEALS, parameters={"at": 1}),
+            "event radio_heals at 1 s: parameters: does not go with kind radio_heals; accepted: time, kind",
+        ),
+        (
+            ScenarioEvent(1.0, KIND.RADIO_PARTITIONS, parameters={"groups": [["robot1", 2]]}),
+            "event radio_partitions at 1 s: parameters/groups: must be a list of lists of texts (got [['robot1', 2]])",
+        ),
+        (
+            ScenarioEvent(1.0, KIND.RADIO_CHANGES, parameters={"kind": "losy"}),
+            "event radio_changes at 1 s: no radio 'losy'; did you mean lossy? there are: lossy, perfect",
+        ),
+        (
+            ScenarioEvent(1.0, KIND.RADIO_CHANGES, parameters={"kind": "lossy", "loss": 2}),
+            "event radio_changes at 1 s: loss: must be a number from 0 to 1 (got 2)",
         ),
     ],
 )
@@ -228,6 +435,20 @@ def test_simulation_refuses_an_event_that_cannot_happen(event, message):
     with pytest.raises(SimError) as caught:
         simulation(scenario(event))
     assert str(caught.value) == message
+
+
+def test_simulation_tells_what_is_wrong_with_all_radios_at_once():
+    spec = scenario(
+        ScenarioEvent(2.0, KIND.RADIO_CHANGES, parameters={"kind": "perfect", "loss": 0.1}),
+        radio=RadioSetup("lossy", {"loss": -1, "range": 0}),
+    )
+    with pytest.raises(SimError) as caught:
+        simulation(spec)
+    assert str(caught.value).splitlines() == [
+        "radio lossy: loss: must be a number from 0 to 1 (got -1)",
+        "radio lossy: range: must be a number above 0 m (got 0)",
+        "event radio_changes at 2 s: loss: is not known; there is none",
+    ]
 
 
 def test_simulation_refuses_a_control_rate_of_nothing():
@@ -274,8 +495,3 @@ def test_noise_of_a_robot_does_not_depend_on_the_other_robots():
     alone = simulation(replace(scenario(), robots=scenario().robots[:1]))
     for tick in range(0, 20, 2):
         assert both.sense(tick, tick / RATE + 1)[0] == alone.sense(tick, tick / RATE + 1)[0]
-
-
-def test_perfect_link_delivers_once_and_at_once():
-    assert list(PerfectLink().deliveries("robot1", "robot2", 3.0)) == [0.0]
-    assert list(PerfectLink().deliveries("", "robot2", 3.0)) == [0.0]

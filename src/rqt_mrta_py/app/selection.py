@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Collection, Optional, Sequence
+from typing import Collection, FrozenSet, Optional, Sequence
 
 from rqt_mrta_py.errors import UsageError
-from rqt_mrta_py.model import Mission
+from rqt_mrta_py.model import Mission, ScenarioEvent, ScenarioEventKind
 
 __all__ = ["first_robots", "in_world", "with_robots"]
 
 
 def with_robots(mission: Mission, robot_ids: Sequence[str]) -> Mission:
     """Keep only some robots of a mission, with what is simulated of them and what happens to them.
+
+    Orders to hand a task to a robot that is left out are left out too; what happens to tasks and to the radio stays.
 
     Args:
         mission: the whole.
@@ -21,7 +23,7 @@ def with_robots(mission: Mission, robot_ids: Sequence[str]) -> Mission:
     Returns:
         The part, or the mission itself if nobody is left out.
     """
-    kept = set(robot_ids)
+    kept = frozenset(robot_ids)
     if all(robot.id in kept for robot in mission.application.robots):
         return mission
     application = dataclasses.replace(
@@ -32,7 +34,11 @@ def with_robots(mission: Mission, robot_ids: Sequence[str]) -> Mission:
         scenario = dataclasses.replace(
             scenario,
             robots=tuple(robot for robot in scenario.robots if robot.id in kept),
-            events=tuple(event for event in scenario.events if event.robot is None or event.robot in kept),
+            events=tuple(
+                _without_strangers(event, kept)
+                for event in scenario.events
+                if event.robot is None or event.robot in kept
+            ),
         )
     parameters = {robot_id: values for robot_id, values in mission.parameters.items() if robot_id in kept}
     return dataclasses.replace(mission, application=application, scenario=scenario, parameters=parameters)
@@ -74,3 +80,11 @@ def in_world(mission: Mission, world: Optional[str], worlds: Collection[str]) ->
     if world not in worlds:
         raise UsageError(f"--world {world}: there is no such world; there are: {', '.join(sorted(worlds))}")
     return dataclasses.replace(mission, scenario=dataclasses.replace(mission.scenario, world=world))
+
+
+def _without_strangers(event: ScenarioEvent, kept: FrozenSet[str]) -> ScenarioEvent:
+    """Take robots that are left out from the groups of a partition."""
+    if event.kind is not ScenarioEventKind.RADIO_PARTITIONS:
+        return event
+    groups = [[name for name in group if name in kept] for group in event.parameters["groups"]]
+    return dataclasses.replace(event, parameters={**event.parameters, "groups": [group for group in groups if group]})
