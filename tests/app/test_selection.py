@@ -6,8 +6,8 @@ from rqt_mrta_py.app.selection import with_robots
 from rqt_mrta_py.model import (
     ApplicationRobot,
     ApplicationSpec,
-    Arena,
     ArchitectureSpec,
+    Arena,
     Mission,
     Pose,
     RobotSetup,
