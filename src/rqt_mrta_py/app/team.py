@@ -139,6 +139,7 @@ def _host(mission: Mission, seed: int, robot_id: str, simulation: Simulation, pa
         behaviours[kind] = guarded(f"{robot_id}: behaviour {kind!r}", parts.behaviours[kind], behaviour_setup)
     package = mission.architecture.package
     agent = guarded(f"{robot_id}: agent of {package}", _agent_factory(package, parts.agents), agent_setup)
+    own = {task.id for task in (*tasks, *later_tasks)}
     capabilities = model.capabilities.union(*(robot.capabilities for robot in scenario.robots if robot.id == robot_id))
     return RobotHost(
         HostSetup(
@@ -149,6 +150,7 @@ def _host(mission: Mission, seed: int, robot_id: str, simulation: Simulation, pa
             scenario.control_rate,
             later_tasks=later_tasks,
             capabilities=capabilities,
+            others_tasks=frozenset(task.id for task in (*mission.tasks, *mission.later_tasks)) - own,
         )
     )
 
