@@ -6,7 +6,7 @@ from enum import Enum
 
 import numpy as np
 
-__all__ = ["Purpose", "generator"]
+__all__ = ["Purpose", "generator", "link_generator"]
 
 
 class Purpose(Enum):
@@ -33,3 +33,9 @@ def generator(seed: int, robot_id: str, purpose: Purpose) -> np.random.Generator
     """
     key = (purpose.value, *robot_id.encode("utf-8"))
     return np.random.Generator(np.random.PCG64(np.random.SeedSequence(entropy=seed, spawn_key=key)))
+
+
+def link_generator(seed: int, sender: str, receiver: str) -> np.random.Generator:
+    """Make the generator of what one robot sends to one other; as ``generator`` otherwise."""
+    # No name that ROS accepts holds this sign.
+    return generator(seed, f"{sender}>{receiver}", Purpose.LINK)

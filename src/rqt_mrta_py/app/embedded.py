@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import List, Optional, Set
 
-from rqt_mrta_py.app.chance import Purpose, generator
+from rqt_mrta_py.app.chance import Purpose, generator, link_generator
 from rqt_mrta_py.app.mission_message import mission_message
 from rqt_mrta_py.app.run_clock import RunClock
 from rqt_mrta_py.app.team import Member, build_team
@@ -13,7 +14,7 @@ from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.hooks import Codec, Outgoing
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Mission, ScenarioSpec
-from rqt_mrta_py.sim import PerfectLink, Simulation, label_of
+from rqt_mrta_py.sim import Simulation, label_of, order_of
 from rqt_mrta_py.transport import Bus
 
 __all__ = ["EmbeddedRun"]
@@ -62,10 +63,14 @@ class EmbeddedRun:
             sensors=manager.registered("mrta_register_sensors"),
             worlds=manager.registered("mrta_register_worlds"),
             generators={robot.id: generator(seed, robot.id, Purpose.SENSORS) for robot in self._scenario.robots},
+            links=manager.registered("mrta_register_links"),
+            link_random=partial(link_generator, seed),
         )
         self._paused: Set[str] = set()
-        self.bus = Bus(codec, PerfectLink())
+        self.bus = Bus(codec, self._simulation.radio)
         self._world_node = self.bus.node("/simulation")
+        self._operator_node = self.bus.node("/operator")
+        self._tasks = {task.id: task for task in (*mission.tasks, *mission.later_tasks)}
         try:
             self._team: List[Member] = build_team(mission, seed, self._simulation, self.bus, manager)
         except BaseException:
@@ -109,7 +114,12 @@ class EmbeddedRun:
     def _happen(self, tick: int, now: float) -> None:
         for event in self._simulation.begin_tick(tick, now):
             self._world_node.publish(label_of(event, now), now)
+            order = order_of(event, self._tasks.get(event.task or ""), now)
+            if order is not None:
+                self._operator_node.publish(order, now)
         for member in self._team:
+            offset = self._simulation.clock_offset(member.id)
+            member.agent_node.clock_offset = member.driver_node.clock_offset = offset
             stopped = self._simulation.stopped(member.id)
             if stopped and member.id not in self._paused:
                 self._paused.add(member.id)
@@ -128,7 +138,7 @@ class EmbeddedRun:
     def _decide(self, tick: int, now: float) -> None:
         for member in self._team:
             if member.id not in self._paused:
-                for message in member.host.step(tick, now):
+                for message in member.host.step(tick, now + self._simulation.clock_offset(member.id)):
                     member.agent_node.publish(message, now)
         for member in self._team:
             member.driver_node.deliver(now)
