@@ -86,6 +86,16 @@ def test_second_mission_counts_from_its_own_start(told: Told) -> None:
     assert [text for _, text in told() if "stuck" in text] == ["t=5.000 event=node_warned node=/a/agent text=stuck"] * 2
 
 
+def test_supervisors_history_is_not_told_twice(told: Told) -> None:
+    journal = Journal()
+    journal.hear(Heard("/mrta/event", "rqt_mrta_py/Event", 2.0, {}, caller="/supervisor"))
+    journal.hear(Heard("/mrta/event", "rqt_mrta_py/Event", 2.0, {}))
+    journal.hear(rosout(4, "history")._replace(caller="/supervisor"))
+    journal.hear(rosout(4, "stuck")._replace(caller="/a/agent"))
+    journal.hear(rosout(4, "nobody knows who says so"))
+    assert [text.partition("text=")[2] for _, text in told()] == ["stuck", '"nobody knows who says so"']
+
+
 @given(st.text())
 def test_any_text_stays_within_its_fact_and_its_line(text: str) -> None:
     written = line(text=text, last=1)
@@ -103,7 +113,7 @@ def test_plugin_observes_missions_events_and_messages(told: Told) -> None:
     manager.register(mission_journal.plugin, "mission_journal")
     manager.notify("mrta_on_mission_start", mission=MISSION)
     observer = manager.registered("mrta_register_message_observers")["mission_journal"](ObserverSetup(MISSION))
-    assert [wish.topic for wish in observer.subscriptions()] == ["/mrta/mission", "/rosout"]
+    assert [wish.topic for wish in observer.subscriptions()] == ["/mrta/mission", "/mrta/event", "/rosout"]
     observer.hear(Heard("/mrta/mission", "rqt_mrta_py/Mission", 2.0, {}))
     manager.notify(
         "mrta_on_event", event=Event(3.0, "robot_state", Severity.INFO, "a is idle", robot="a", state="idle")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from typing import Dict, Mapping, Optional, Sequence
+from typing import Dict, Mapping, Optional, Sequence, Set
 
 from mission_journal.line import line
 from rqt_mrta_py.hooks import Heard, Subscription
@@ -24,6 +24,7 @@ _WARN = 4
 _ERROR = 8
 
 _MISSION = Subscription("/mrta/mission", "rqt_mrta_py/Mission")
+_EVENT = Subscription("/mrta/event", "rqt_mrta_py/Event")
 _ROSOUT = Subscription("/rosout", "rosgraph_msgs/Log", ("level", "name", "msg"))
 
 
@@ -31,15 +32,18 @@ class Journal:
     """Tells start, events and end of a mission, and what its nodes warn of.
 
     Times are seconds since the stream's start where the stream says when that was, by its first message on
-    ``/mrta/mission``; else they are seconds on its clock and stand as ``stamp``.
+    ``/mrta/mission``; else they are seconds on its clock and stand as ``stamp``. What a supervisor says on /rosout it
+    has told as an event already, and so it is not told again.
     """
 
     def __init__(self) -> None:
         self._start: Optional[float] = None
+        self._supervisors: Set[str] = set()
 
     def begin(self, mission: Mission) -> None:
         """Tell what the mission is about."""
         self._start = None
+        self._supervisors.clear()
         facts = line(
             event="mission_started",
             application=mission.application.package,
@@ -73,15 +77,18 @@ class Journal:
         _LOG.info("%s", facts)
 
     def subscriptions(self) -> Sequence[Subscription]:
-        """Say what to hear: when the mission began, and the nodes' log."""
-        return (_MISSION, _ROSOUT)
+        """Say what to hear: when the mission began, who is a supervisor, and the nodes' log."""
+        return (_MISSION, _EVENT, _ROSOUT)
 
     def hear(self, heard: Heard) -> None:
         """Note the start; tell what a node warns of."""
         if heard.topic == _MISSION.topic:
             if self._start is None:
                 self._start = heard.receipt
-        elif heard.fields["level"] >= _WARN:
+        elif heard.topic == _EVENT.topic:
+            if heard.caller:
+                self._supervisors.add(heard.caller)
+        elif heard.fields["level"] >= _WARN and heard.caller not in self._supervisors:
             level = logging.ERROR if heard.fields["level"] >= _ERROR else logging.WARNING
             about = {"node": heard.fields["name"], "text": heard.fields["msg"]}
             _LOG.log(level, "%s", line(**self._when(heard.receipt), event="node_warned", **about))
