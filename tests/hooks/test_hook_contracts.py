@@ -46,7 +46,7 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
     observation = Observation(MISSION, codec, manager, 1.5)
     run = EmbeddedRun(MISSION, 1.5, codec, manager)
     pictures = PictureSchedule(host.renderer("monitor"), 5, 10, PictureFiles(monitor))
-    plan = WatchPlan(observation, folder, run.clock, run.last_tick, False, pictures, None, {})
+    plan = WatchPlan(observation, folder, run.clock, run.last_tick, False, pictures, None, {}, manager.patience)
     with open_watch(plan, run.bus) as watch:
         run.attach(watch)
         for tick in range(run.last_tick + 1):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import List, Optional, Set
+from typing import Any, Iterator, List, Optional, Set, Tuple
 
 from rqt_mrta_py.app.chance import Purpose, generator, link_generator
 from rqt_mrta_py.app.mission_message import mission_message
@@ -91,6 +91,18 @@ class EmbeddedRun:
     def attach(self, watcher: Watcher) -> None:
         """Say who is told that a tick has ended; before the first step. It is for the caller to tap ``bus``."""
         self._watcher = watcher
+
+    def timed_parts(self) -> Iterator[Tuple[Any, str, str]]:
+        """Name what a benchmark times: object, method, and the part of the work that it is."""
+        yield self._simulation.world, "step", "physics"
+        yield self._simulation.world, "ranges", "rays"
+        yield self._simulation, "sense", "sensing"
+        yield self._simulation, "act", "sensing"
+        yield self.bus, "publish", "bus"
+        yield self.bus, "deliver", "bus"
+        for member in self._team:
+            yield member.driver_node, "deliver", "bus"
+            yield member.host, "step", "robots"
 
     def close(self) -> None:
         """Free the world."""

@@ -11,5 +11,6 @@ OWN_PLUGINS = (
     "rqt_mrta_py.supervisor.plugin",
     "rqt_mrta_py.render.plugin",
     "rqt_mrta_py.robot.plugin",
+    "rqt_mrta_py.app.bench.plugin",
 )
 """Modules, in the order in which they are asked: after all packages, so that a package may replace a name."""

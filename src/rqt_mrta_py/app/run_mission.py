@@ -105,12 +105,14 @@ def run_mission(host: Host, request: RunRequest, progress: Progress) -> MissionR
                 pictures=pictures,
                 dashboard=host.renderer("dashboard") if pictures else None,
                 exporters=exporters,
+                patience=host.manager.patience,
             )
             processes = 1 if run.team_hears_supervisor else request.processes or min(2, _cores())
             with _watching(plan, run.bus, codec, processes) as watcher:
                 run.attach(watcher)
                 for tick in range(run.last_tick + 1):
-                    run.step(tick)
+                    with host.manager.patience.limit(f"the mission's tick at {tick / scenario.control_rate:g} s"):
+                        run.step(tick)
                     progress(tick / scenario.control_rate, duration)
                     if interrupt.requested:
                         break

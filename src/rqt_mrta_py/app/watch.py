@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
-from typing import Iterator, Mapping, Optional, Protocol, Sequence
+from typing import Any, Iterator, Mapping, Optional, Protocol, Sequence, Tuple
 
 from rqt_mrta_py.app.exports import write_exports
 from rqt_mrta_py.app.observation import Observation
@@ -17,6 +17,7 @@ from rqt_mrta_py.app.pictures import PICTURE_TOPIC, PictureSchedule
 from rqt_mrta_py.app.results import Results, write_results
 from rqt_mrta_py.app.run_clock import RunClock
 from rqt_mrta_py.hooks import Exporter, Outgoing, Renderer, Stamped
+from rqt_mrta_py.hooks.patience import Patience
 from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
 from rqt_mrta_py.transport import BagWriter, Bus
 
@@ -71,6 +72,7 @@ class WatchPlan:
         pictures: draws monitor pictures; None for none.
         dashboard: draws the mission in one picture; None for none.
         exporters: asked for, by name.
+        patience: how long plugins may take.
     """
 
     observation: Observation
@@ -81,6 +83,7 @@ class WatchPlan:
     pictures: Optional[PictureSchedule]
     dashboard: Optional[Renderer]
     exporters: Mapping[str, Exporter]
+    patience: Patience
 
 
 class Watch:
@@ -99,6 +102,16 @@ class Watch:
         self._node = bus.node("/supervisor")
         bus.tap(self.hear)
         self.abandoned = False
+
+    def timed_parts(self) -> Iterator[Tuple[Any, str, str]]:
+        """Name what a benchmark times: object, method, and the part of the work that it is."""
+        yield self._bag, "write", "recording"
+        yield self._plan.observation, "feed", "supervision"
+        yield self._plan.observation, "news", "supervision"
+        yield self._plan.observation, "view", "views"
+        yield self._plan.observation.supervisor, "team_state", "views"
+        if self._plan.pictures is not None:
+            yield self._plan.pictures, "draw", "drawing"
 
     def abandon(self) -> None:
         """Bring to the file what was heard, and leave the bag open as one whose run never ended."""
@@ -130,6 +143,10 @@ class Watch:
     def finish(self) -> Results:
         """Close the bag and write the results."""
         plan = self._plan
+        with plan.patience.limit("the end of the mission"):
+            return self._finish(plan)
+
+    def _finish(self, plan: WatchPlan) -> Results:
         if plan.pictures is not None:
             plan.pictures.finish()
         self._bag.close()

@@ -1,0 +1,28 @@
+"""The benchmarks of this package, registered like anything that strangers bring."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from typing import Mapping
+
+from rqt_mrta_py.hooks import Benchmark, BenchmarkTable, hookimpl
+
+__all__ = ["mrta_register_benchmarks"]
+
+
+@hookimpl
+def mrta_register_benchmarks() -> Mapping[str, Benchmark]:
+    """Name the benchmarks."""
+    return {"loop": Benchmark("How fast a simulated mission runs, everything on.", _loop_arguments, _loop)}
+
+
+def _loop_arguments(parser: ArgumentParser) -> None:
+    from rqt_mrta_py.app.bench.loop import add_arguments
+
+    add_arguments(parser)
+
+
+def _loop(options: Namespace) -> BenchmarkTable:
+    from rqt_mrta_py.app.bench.loop import measure
+
+    return measure(options)
