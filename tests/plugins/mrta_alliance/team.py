@@ -47,11 +47,23 @@ def agent(
     tasks: Sequence[str],
     team: Sequence[str] = (),
     evaluators: Optional[Mapping[str, SensoryEvaluatorFactory]] = None,
+    *,
+    later: Sequence[str] = (),
 ) -> AllianceAgent:
     """Make an agent."""
-    kinds = tuple(Task(task, "anything") for task in tasks)
+    present, later_tasks = (tuple(Task(task, "anything") for task in each) for each in (tasks, later))
     random = np.random.default_rng(0)
-    return AllianceAgent(AgentSetup(robot, tuple(team or (robot,)), kinds, parameters, random, evaluators or {}))
+    return AllianceAgent(
+        AgentSetup(
+            robot,
+            tuple(team or (robot,)),
+            present,
+            parameters,
+            random,
+            evaluators or {},
+            later_tasks=later_tasks,
+        )
+    )
 
 
 def announced(robot: str, task: str, receipt: float, expected: float = 60.0, stamp: Optional[float] = None) -> Heard:
@@ -101,11 +113,12 @@ class Team:
         self.tasks = tasks
         self.cycle = 0
         self.stopped: List[str] = []
+        self.deaf: List[str] = []
         self.decisions: Dict[str, Decision] = {}
         self._on_air: List[Heard] = []
 
-    def step(self) -> Dict[str, Decision]:
-        """Go through one cycle with everybody."""
+    def step(self, *reports: TaskReport) -> Dict[str, Decision]:
+        """Go through one cycle with everybody; a robot that is deaf hears no reports."""
         self.cycle += 1
         now = time_of(self.cycle)
         heard, self._on_air = self._on_air, []
@@ -113,7 +126,7 @@ class Team:
         for robot, who in self.agents.items():
             if robot in self.stopped:
                 continue
-            decision = step(who, now, heard, tasks=self.tasks)
+            decision = step(who, now, heard, reports=() if robot in self.deaf else reports, tasks=self.tasks)
             self.decisions[robot] = decision
             for message in announcements(decision):
                 fields = message.fields

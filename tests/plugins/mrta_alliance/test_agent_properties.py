@@ -21,7 +21,12 @@ announcement = st.builds(
     st.sampled_from([60.0, 5.0, 0.0, -1.0, float("nan"), 1e9]),
     st.sampled_from([0.0, 5.0, -5.0]),
 )
-report = st.builds(TaskReport, st.sampled_from(TASKS), st.sampled_from(list(Progress)))
+report = st.builds(
+    TaskReport,
+    st.sampled_from([*TASKS, "unknown"]),
+    st.sampled_from(list(Progress)),
+    robot=st.sampled_from([None, "one", "two"]),
+)
 moment = st.tuples(
     st.floats(0.05, 3.0),
     st.lists(announcement, max_size=3),

@@ -11,7 +11,10 @@ from tests.plugins.mrta_alliance.team import agent, announced, behaviour_set, mo
 
 
 def memory(horizon: float = 10.0) -> Communication:
-    return Communication("one", {"patrol": 20.0, "inspect": 20.0}, horizon)
+    heard = Communication("one", horizon)
+    for task in ("patrol", "inspect"):
+        heard.follow(task, 20.0)
+    return heard
 
 
 def test_communication_knows_nobody_at_first() -> None:

@@ -40,6 +40,7 @@ class BehaviourSet:
         self.suppressed = False
         self.resetted = False
         self.applicable = False
+        self._ordered: Optional[bool] = None
 
     @property
     def active(self) -> bool:
@@ -50,6 +51,17 @@ class BehaviourSet:
         """Let the task go at once."""
         self.motivation = 0.0
         self.active_since = None
+
+    def take(self, now: float) -> None:
+        """Become active at an operator's word, before a cycle [s]; nobody's first announcement resets it in that."""
+        self.motivation = self.parameters.threshold
+        self.active_since = now
+        self._ordered = True
+
+    def leave(self) -> None:
+        """Let the task go at an operator's word, before a cycle, and be reset in it."""
+        self.drop()
+        self._ordered = False
 
     def evaluate(
         self,
@@ -82,7 +94,8 @@ class BehaviourSet:
             giving_up_delay=told.giving_up_delay,
         )
         self.suppressed = suppressed
-        self.resetted = equations.reset(others, before, now)
+        self.resetted = equations.reset(others, before, now) if self._ordered is None else not self._ordered
+        self._ordered = None
         self.applicable = applicable
         self.motivation = equations.motivation(
             self.motivation,

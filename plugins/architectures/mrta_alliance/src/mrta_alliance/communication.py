@@ -61,25 +61,34 @@ class _Peer:
 class Communication:
     """One robot's memory of what the others announce."""
 
-    def __init__(self, robot_id: str, patience_limits: Mapping[str, float], horizon: float) -> None:
+    def __init__(self, robot_id: str, horizon: float) -> None:
         """Start with an empty memory.
 
         Args:
             robot_id: whose memory it is; its own announcements are passed over.
-            patience_limits: by task of this robot, the expected duration at or below which an announcement slows it
-                down no more: theta / delta_fast [s].
             horizon: how long announcements are kept [s]; the first of each robot is kept for ever.
         """
         self._robot_id = robot_id
-        self._limits = patience_limits
+        self._limits: Dict[str, float] = {}
         self._horizon = horizon
-        self._peers: Dict[str, Dict[str, _Peer]] = {task: {} for task in patience_limits}
+        self._peers: Dict[str, Dict[str, _Peer]] = {}
         self._hazards: Dict[Tuple[Hazard, str], int] = {}
 
     @property
     def hazards(self) -> Mapping[Tuple[Hazard, str], int]:
         """Count what was noticed, by kind and robot."""
         return dict(self._hazards)
+
+    def follow(self, task: str, patience_limit: float) -> None:
+        """Remember from now on who announces a task of this robot.
+
+        Args:
+            task: its id.
+            patience_limit: the expected duration at or below which an announcement slows this robot down no more:
+                theta / delta_fast [s].
+        """
+        self._limits[task] = patience_limit
+        self._peers[task] = {}
 
     def take_in(self, messages: Iterable[Heard], now: float) -> None:
         """Remember what came since the cycle before.
