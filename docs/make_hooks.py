@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import inspect
 from pathlib import Path
-from typing import Callable, List
+from typing import Callable, Dict, List
 
+from rqt_mrta_py.app.environment import BLOCK, PATIENCE, TRACE
+from rqt_mrta_py.app.plugin_catalogue import hook_entries, plugin_entries
+from rqt_mrta_py.config import discover
 from rqt_mrta_py.hooks import HookSpecs
 
 INTRODUCTION = """# Hooks
@@ -32,7 +35,19 @@ def mrta_register_statistics():
 ```
 
 An implementation may take fewer arguments than its specification, never others. `mrta list plugins` shows what is
-found, without importing it.
+found and which hooks it implements, `mrta list hooks` who implements each, both without importing anything of it.
+"""
+
+VARIABLES = f"""## Variables of the environment
+
+* `{TRACE}=1` writes a line on stderr for each call of a hook: when [ms since the start], plugin, hook, how long it
+  took [ms], what it returned in short.
+* `{BLOCK}=a,b` leaves out the plugins of these packages or modules: they are neither imported nor registered. The
+  project's own rooms cannot be left out.
+* `{PATIENCE}=S` waits S seconds for an answer instead of a minute; 0 waits for ever.
+
+Python code of the main thread is interrupted; code in C once it comes back to Python, and code that swallows every
+exception again each second. Off the main thread nothing is interrupted.
 """
 
 
@@ -40,11 +55,20 @@ def render() -> str:
     """Render the page: introduction, the rules for all hooks, each hook with its signature and contract."""
     module = inspect.getmodule(HookSpecs)
     rules = inspect.cleandoc((module.__doc__ or "").split("\n", 1)[1]) if module else ""
-    parts = [INTRODUCTION, "## Rules for all hooks\n", rules, ""]
+    parts = [INTRODUCTION, "## Rules for all hooks\n", rules, "", VARIABLES]
+    used = used_by()
     for name, function in sorted(vars(HookSpecs).items()):
         if name.startswith("mrta_"):
             parts += [f"## {name}\n", "```python", signature(name, function), "```\n", *contract(function)]
+            parts[-1:] = [f"* **Used by**: {', '.join(used[name]) or 'nobody yet'}.", ""]
     return "\n".join(parts).rstrip() + "\n"
+
+
+def used_by() -> Dict[str, List[str]]:
+    """Find the plugins of this checkout by the hook that they implement, from their sources."""
+    registry = discover({}, prefix="/nowhere", shares=(), distributions=())
+    entries = hook_entries(plugin_entries(registry, ()))
+    return {hook: [f"`{plugin}`" for plugin in sorted(plugins)] for hook, plugins in entries.items()}
 
 
 def signature(name: str, function: Callable[..., object]) -> str:

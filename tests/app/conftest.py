@@ -11,6 +11,14 @@ import pytest
 from rqt_mrta_py.app.cli.main import main
 from tests.app.outputs import Mrta, Outputs
 
+PLUGIN_MANIFEST = """<package format="3">
+  <name>stranger</name> <version>0.1.0</version> <description>d</description>
+  <maintainer email="a@b.c">m</maintainer> <license>l</license>
+  <exec_depend>rqt_mrta_py</exec_depend>
+  <export> <rqt_mrta_py plugin="stranger_plugin"/> </export>
+</package>
+"""
+
 
 @pytest.fixture(scope="session")
 def patrol(tmp_path_factory: pytest.TempPathFactory) -> Outputs:
@@ -56,3 +64,15 @@ def yard(tmp_path: Path, root: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     manifest.write_text(manifest.read_text().replace("<name>border_patrol</name>", "<name>yard</name>"))
     monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "packages"))
     return package
+
+
+@pytest.fixture
+def stranger(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Put a stranger's plugin package on the path; gives the file of its module, to be written."""
+    source = tmp_path / "packages" / "stranger" / "src"
+    source.mkdir(parents=True)
+    (source.parent / "package.xml").write_text(PLUGIN_MANIFEST)
+    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "packages"))
+    monkeypatch.syspath_prepend(str(source))
+    monkeypatch.delitem(__import__("sys").modules, "stranger_plugin", raising=False)
+    return source / "stranger_plugin.py"

@@ -6,8 +6,9 @@ import argparse
 import math
 from typing import Any, Dict
 
+from rqt_mrta_py.app.guard import guarded
 from rqt_mrta_py.config.wording import accepted, shown
-from rqt_mrta_py.errors import HookError, MrtaError, UsageError
+from rqt_mrta_py.errors import HookError, UsageError
 from rqt_mrta_py.hooks import Benchmark, BenchmarkTable
 from rqt_mrta_py.hooks.manager import PluginManager
 
@@ -51,9 +52,10 @@ def prepared(manager: PluginManager, name: str, parser: argparse.ArgumentParser)
         HookError: it raises; names plugin and benchmark.
     """
     benchmark = benchmark_named(manager, name)
-    who = f"{_who(manager, name)}: add_arguments"
-    with manager.patience.limit(who):
-        _ask(who, benchmark.add_arguments, parser)
+    who = _who(manager, name)
+    with manager.patience.limit(f"{who}: add_arguments"):
+        guarded(f"{who}: add_arguments", benchmark.add_arguments, parser)
+    guarded(f"{who}: its help page", parser.format_help)
 
 
 def measured(manager: PluginManager, name: str, options: argparse.Namespace) -> BenchmarkTable:
@@ -63,9 +65,9 @@ def measured(manager: PluginManager, name: str, options: argparse.Namespace) -> 
         HookError: the benchmark raises, or answers what is no table; names plugin and benchmark.
     """
     who = _who(manager, name)
-    table: Any = _ask(who, benchmark_named(manager, name).measure, options)
+    table: Any = guarded(who, benchmark_named(manager, name).measure, options)
     if not isinstance(table, BenchmarkTable):
-        raise HookError(f"{who} returned {shown(table)}; a BenchmarkTable is needed")
+        raise HookError(f"{who}: returned {shown(table)}; a BenchmarkTable is needed")
     for row in table.rows:
         if len(row) != len(table.columns):
             raise HookError(f"{who}: the row {shown(row)} has {len(row)} cells for {len(table.columns)} columns")
@@ -77,12 +79,3 @@ def measured(manager: PluginManager, name: str, options: argparse.Namespace) -> 
 
 def _who(manager: PluginManager, name: str) -> str:
     return f"plugin {owner_of(manager, name)!r}: benchmark {name!r}"
-
-
-def _ask(who: str, question: Any, argument: Any) -> Any:
-    try:
-        return question(argument)
-    except MrtaError:
-        raise
-    except Exception as error:
-        raise HookError(f"{who} raised {type(error).__name__}: {error}") from error

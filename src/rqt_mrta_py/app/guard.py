@@ -24,11 +24,12 @@ def guarded(who: str, ask: Callable[..., _Answer], *arguments: Any) -> _Answer:
         Its answer.
 
     Raises:
-        HookError: it raised; says who and what. Errors that already speak to the user pass as they are.
+        HookError: it raised; says who and what. Errors that already speak to the user pass as they are, and so does
+            that the reader of a pipe has gone.
     """
     try:
         return ask(*arguments)
-    except MrtaError:
+    except (MrtaError, BrokenPipeError):
         raise
     except Exception as error:
         raise HookError(f"{who}: {type(error).__name__}: {error}") from error

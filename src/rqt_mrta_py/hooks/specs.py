@@ -7,8 +7,9 @@ A plugin that raises in any other hook, or returns what does not fit, stops the 
 plugin and hook. Plugins are asked in the order of their discovery.
 
 Nobody waits for ever. Where a plugin's code has not returned within a minute (``RQT_MRTA_PY_PATIENCE`` [s]; 0: wait),
-it is interrupted: an observer is skipped, anything else stops the command, with an error that names file, line and
-function.
+it is interrupted, with a message that names file, line and function: an observer is told no more, anything else stops
+the command. Verbs and benchmarks may work as long as they like. Within a tick of a mission the same limit holds for
+everything that plugins made: agents, behaviours, sensors, rules, panels.
 """
 
 from __future__ import annotations

@@ -38,7 +38,7 @@ def main(options: argparse.Namespace) -> int:
             else:
                 print_table(("NAME", "PLUGIN", "MEASURES"), rows)
         return 0
-    about = benchmark_named(host.manager, options.name).help.replace("%", "%%")
+    about = benchmark_named(host.manager, options.name).help
     parser = VerbParser(prog=f"mrta bench {options.name}", description=about, parents=[verbosity()])
     parser.add_argument("--json", action="store_true", default=options.json, help="print as JSON")
     prepared(host.manager, options.name, parser)

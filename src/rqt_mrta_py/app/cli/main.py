@@ -10,7 +10,6 @@ from typing import Any, List, Optional, Sequence
 from rqt_mrta_py import __version__
 from rqt_mrta_py.app.cli.logs import start_logging
 from rqt_mrta_py.app.cli.parser import CommandParser, VerbParser, verbosity
-from rqt_mrta_py.app.cli.plugin_verbs import add_plugin_verb, help_on_plugin_verbs
 from rqt_mrta_py.app.cli.stdout import mute
 from rqt_mrta_py.errors import MrtaError
 
@@ -76,7 +75,7 @@ def _parser(verb: Optional[str] = None) -> argparse.ArgumentParser:
     """Make a parser that knows our own verbs and, if it is none of them, the one of a plugin that is asked for."""
     common = verbosity()
     parser = CommandParser(prog="mrta", description=_DESCRIPTION, epilog=_EPILOG)
-    parser.appendix = lambda: help_on_plugin_verbs(VERBS)
+    parser.appendix = _plugin_verbs
     parser.add_argument("--version", action="version", version=f"rqt_mrta_py {__version__}")
     verbs: Any = parser.add_subparsers(
         title="verbs", metavar="VERB", dest="verb", required=True, parser_class=VerbParser
@@ -88,5 +87,14 @@ def _parser(verb: Optional[str] = None) -> argparse.ArgumentParser:
         module.add_arguments(own)
         own.set_defaults(main=module.main)
     if verb is not None and verb not in VERBS:
+        from rqt_mrta_py.app.cli.plugin_verbs import add_plugin_verb
+
         add_plugin_verb(verb, VERBS, verbs, common)
     return parser
+
+
+def _plugin_verbs() -> str:
+    """Write the section of the help page on verbs of plugins."""
+    from rqt_mrta_py.app.cli.plugin_verbs import help_on_plugin_verbs
+
+    return help_on_plugin_verbs(VERBS)

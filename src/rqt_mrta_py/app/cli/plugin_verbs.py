@@ -8,6 +8,8 @@ from typing import Any, Dict, NamedTuple, Sequence
 
 from rqt_mrta_py.app.cli.common import complain_about
 from rqt_mrta_py.app.cli.stdout import standard_output
+from rqt_mrta_py.app.guard import guarded
+from rqt_mrta_py.config.wording import accepted, shown
 from rqt_mrta_py.errors import HookError, MrtaError, UsageError
 
 __all__ = ["add_plugin_verb", "help_on_plugin_verbs"]
@@ -37,21 +39,15 @@ def add_plugin_verb(name: str, own: Sequence[str], verbs: Any, common: argparse.
         UsageError: there is no such verb; says which is nearest.
         HookError: the plugin does not keep the contract, or raises.
     """
-    from rqt_mrta_py.config.wording import accepted
-
     found = _load(own)
     if name not in found:
         raise UsageError(f"{name}: there is no such verb; {accepted(name, [*own, *found])}")
     plugin_verb = found[name]
     who, verb = plugin_verb.who, plugin_verb.verb
-    parser = verbs.add_parser(name, parents=[common], help=_plain(verb.help), description=_plain(verb.help))
+    parser = verbs.add_parser(name, parents=[common], description=verb.help)
     with plugin_verb.patience.limit(f"{who}: add_arguments"):
-        try:
-            verb.add_arguments(parser)
-        except MrtaError:
-            raise
-        except Exception as error:
-            raise HookError(f"{who}: add_arguments raised {type(error).__name__}: {error}") from error
+        guarded(f"{who}: add_arguments", verb.add_arguments, parser)
+    guarded(f"{who}: its help page", parser.format_help)
     parser.set_defaults(main=lambda options: _run(plugin_verb, options))
 
 
@@ -90,19 +86,9 @@ def _load(own: Sequence[str]) -> Dict[str, _PluginVerb]:
 
 
 def _run(plugin_verb: _PluginVerb, options: argparse.Namespace) -> int:
-    try:
-        status = plugin_verb.verb.main(options)
-    except (MrtaError, BrokenPipeError):
-        raise
-    except Exception as error:
-        raise HookError(f"{plugin_verb.who} raised {type(error).__name__}: {error}") from error
+    status: Any = guarded(plugin_verb.who, plugin_verb.verb.main, options)
     if not isinstance(status, int):
-        raise HookError(f"{plugin_verb.who} returned {status!r}; an exit status is needed")
+        raise HookError(f"{plugin_verb.who}: returned {shown(status)}; an exit status is needed")
     with standard_output():
         pass  # on leaving, what the verb printed has been written
     return status
-
-
-def _plain(text: str) -> str:
-    """Let argparse take no per cent sign for a placeholder."""
-    return text.replace("%", "%%")

@@ -1,0 +1,123 @@
+"""``mrta bench``: benchmarks of plugins, listed and measured."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Tuple
+
+import pytest
+
+from tests.app.cli.conftest import Command
+
+BENCHMARK = """
+from rqt_mrta_py.hooks import Benchmark, BenchmarkTable, hookimpl
+
+
+def add_arguments(parser):
+    parser.add_argument("--robots", type=int, default=3)
+
+
+def measure(options):
+    return {table}
+
+
+@hookimpl
+def mrta_register_benchmarks():
+    return {{"laps": Benchmark("how fast 100% of the robots run", add_arguments, measure)}}
+"""
+TABLE = (
+    "BenchmarkTable('Laps', ('robot', 'speed [m/s]', 'laps'),"
+    " (('mole', 1 / 3, options.robots), ('hare', None, 12345678)), ('Higher is better.',))"
+)
+
+
+def benchmark(table: str = TABLE) -> str:
+    return BENCHMARK.format(table=table)
+
+
+def test_bench_lists_what_can_be_measured_and_by_whom(command: Command, stranger: Path) -> None:
+    stranger.write_text(benchmark())
+
+    told = command("bench")
+    document = json.loads(command("bench", "--json").out)
+
+    assert told.status == 0
+    assert ["laps", "stranger_plugin", "how fast 100% of the robots run"] in [
+        [cell.strip() for cell in line.split("  ") if cell.strip()] for line in told.out.splitlines()
+    ]
+    assert document["schema"] == "rqt_mrta_py/benchmarks/1"
+    assert {"name": "laps", "plugin": "stranger_plugin", "help": "how fast 100% of the robots run"} in document[
+        "benchmarks"
+    ]
+
+
+def test_bench_prints_the_table_with_notes_below(command: Command, stranger: Path) -> None:
+    stranger.write_text(benchmark())
+
+    assert command("bench", "laps", "--robots", "7") == (
+        0,
+        "Laps\n\nrobot  speed [m/s]  laps\nmole   0.3333       7\nhare   -            12345678\n\nHigher is better.\n",
+        "",
+    )
+
+
+@pytest.mark.parametrize("arguments", [("bench", "laps", "--json"), ("bench", "--json", "laps")])
+def test_bench_gives_the_table_as_json(command: Command, stranger: Path, arguments: Tuple[str, ...]) -> None:
+    stranger.write_text(benchmark())
+
+    assert json.loads(command(*arguments).out) == {
+        "schema": "rqt_mrta_py/bench/1",
+        "benchmark": "laps",
+        "title": "Laps",
+        "columns": ["robot", "speed [m/s]", "laps"],
+        "rows": [["mole", 1 / 3, 3], ["hare", None, 12345678]],
+        "notes": ["Higher is better."],
+    }
+
+
+def test_help_pages_tell_benchmarks_and_their_arguments(command: Command, stranger: Path) -> None:
+    stranger.write_text(benchmark())
+
+    assert "how fast 100% of the robots run" in command("bench", "--help").out.partition("benchmarks:\n")[2]
+    told = command("bench", "laps", "--help")
+    assert told.status == 0
+    assert "--robots ROBOTS" in told.out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("bench", "lap"), "mrta: bench lap: there is no such benchmark; nearest is 'laps'"),
+        (
+            ("bench", "laps", "--robts", "1"),
+            "mrta bench laps: unrecognized arguments: --robts 1; see mrta bench laps --help",
+        ),
+    ],
+)
+def test_wrong_usage_exits_with_2_and_one_line(
+    command: Command, stranger: Path, arguments: Tuple[str, ...], message: str
+) -> None:
+    stranger.write_text(benchmark())
+
+    assert command(*arguments) == (2, "", f"{message}\n")
+
+
+@pytest.mark.parametrize(
+    ("table", "message"),
+    [
+        ("1 / 0", ": ZeroDivisionError: division by zero"),
+        ("None", ": returned None; a BenchmarkTable is needed"),
+        ("BenchmarkTable('t', ('a', 'b'), ((1,),))", ": the row (1,) has 1 cells for 2 columns"),
+        (
+            "BenchmarkTable('t', ('a',), ((float('nan'),),))",
+            ": the cell nan is neither text, finite number nor None",
+        ),
+    ],
+)
+def test_a_benchmark_that_keeps_no_contract_is_told_by_name(
+    command: Command, stranger: Path, table: str, message: str
+) -> None:
+    stranger.write_text(benchmark(table))
+
+    assert command("bench", "laps") == (3, "", f"mrta: plugin 'stranger_plugin': benchmark 'laps'{message}\n")
