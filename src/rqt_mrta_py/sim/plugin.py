@@ -23,7 +23,7 @@ __all__ = ["mrta_register_links", "mrta_register_robot_models", "mrta_register_s
 @hookimpl
 def mrta_register_worlds() -> Mapping[str, WorldFactory]:
     """Name the worlds of this room."""
-    return {"bullet": _bullet}
+    return {"bullet": _bullet, "planar": _planar}
 
 
 @hookimpl
@@ -50,6 +50,12 @@ def _bullet() -> World:
     from rqt_mrta_py.sim.bullet import BulletWorld
 
     return BulletWorld()
+
+
+def _planar() -> World:
+    from rqt_mrta_py.sim.planar import PlanarWorld
+
+    return PlanarWorld()
 
 
 def _localiser(context: SensorContext) -> Sensor:

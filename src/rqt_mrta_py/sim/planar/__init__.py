@@ -1,0 +1,18 @@
+"""PlanarWorld: thousands of robots seen from above, in NumPy.
+
+* ``drive``: from commands to motion, with the lag of motors
+* ``footprints``: shapes from above
+* ``crowd``: everything that moves: where it is, who carries it
+* ``cells``: what is near what
+* ``overlap``: how deep two footprints are in each other
+* ``meetings``: who is in whom, of those that may be
+* ``collisions``: push-out, contacts
+* ``sight``: what a range finder would see
+* ``world``: all of it behind the Protocol ``hooks.World``
+"""
+
+from __future__ import annotations
+
+from rqt_mrta_py.sim.planar.world import PlanarWorld
+
+__all__ = ["PlanarWorld"]

@@ -1,0 +1,74 @@
+"""What is near what: points in square cells, and how to lay out lists of unequal lengths one after the other."""
+
+from __future__ import annotations
+
+from typing import Tuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["Cells", "Floats", "Rows", "counting"]
+
+Floats = NDArray[np.float64]
+Rows = NDArray[np.intp]
+
+_POINTS_A_CELL = 2.0
+_MOST_CELLS_A_SIDE = 256
+
+
+class Cells:
+    """An index of points in the plane, each in one square cell; the size of the cells follows from the points.
+
+    Args:
+        x, y: the points, all finite [m], shape (points,).
+    """
+
+    def __init__(self, x: Floats, y: Floats) -> None:
+        self._points = x.size
+        if not self._points:
+            return
+        self._low_x, self._low_y = float(x.min()), float(y.min())
+        span_x, span_y = float(x.max()) - self._low_x, float(y.max()) - self._low_y
+        roomy = (span_x * span_y * _POINTS_A_CELL / self._points) ** 0.5
+        self._cell = max(roomy, span_x / _MOST_CELLS_A_SIDE, span_y / _MOST_CELLS_A_SIDE) or 1.0
+        self._columns = int(span_x / self._cell) + 1
+        self._lines = int(span_y / self._cell) + 1
+        cell = self._column(x) * self._lines + self._line(y)
+        self._order: Rows = np.argsort(cell, kind="stable")
+        self._begins: Rows = np.concatenate(([0], np.cumsum(np.bincount(cell, minlength=self._columns * self._lines))))
+
+    def near(self, x: Floats, y: Floats, reach: float) -> Tuple[Rows, Rows]:
+        """Find the points that may lie within reach of others; some that it gives do not.
+
+        Args:
+            x: around which to look, all finite [m], shape (queries,).
+            y: the same.
+            reach: how far [m].
+
+        Returns:
+            Pairs as rows of queries and rows of points, each pair once, by query.
+        """
+        if not self._points or not x.size:
+            return np.empty(0, dtype=np.intp), np.empty(0, dtype=np.intp)
+        first_column, last_column = self._column(x - reach), self._column(x + reach)
+        first_line, last_line = self._line(y - reach), self._line(y + reach)
+        # The lines of one column lie one after the other, so a query takes one stretch from each column.
+        widths = last_column - first_column + 1
+        query = np.repeat(np.arange(x.size), widths)
+        base = (first_column[query] + counting(widths)) * self._lines
+        begins = self._begins[base + first_line[query]]
+        counts = self._begins[base + last_line[query] + 1] - begins
+        return np.repeat(query, counts), self._order[np.repeat(begins, counts) + counting(counts)]
+
+    def _column(self, x: Floats) -> Rows:
+        return np.clip((x - self._low_x) / self._cell, 0, self._columns - 1).astype(np.intp)
+
+    def _line(self, y: Floats) -> Rows:
+        return np.clip((y - self._low_y) / self._cell, 0, self._lines - 1).astype(np.intp)
+
+
+def counting(counts: Rows) -> Rows:
+    """Count from 0 to each of some numbers, one after the other: for 2, 0, 3 give 0, 1, 0, 1, 2."""
+    ends = np.cumsum(counts)
+    total = int(ends[-1]) if ends.size else 0
+    return np.arange(total) - np.repeat(ends - counts, counts)

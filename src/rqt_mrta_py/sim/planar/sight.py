@@ -1,0 +1,191 @@
+"""What range finders would see: robots and loose bodies as their boxes, obstacles as they are, walls.
+
+Thousands of robots with dozens of rays each would make millions of pairs of ray and thing; yet a thing fills a small
+angle, so of all rays only those that go its way are tried.
+"""
+
+from __future__ import annotations
+
+from typing import Optional, Sequence, Tuple
+
+import numpy as np
+
+from rqt_mrta_py.model import Arena
+from rqt_mrta_py.sim.planar.cells import Cells, Floats, Rows, counting
+from rqt_mrta_py.sim.planar.crowd import Crowd
+from rqt_mrta_py.sim.planar.footprints import Footprints
+
+__all__ = ["Sight"]
+
+_FULL_TURN = 2 * np.pi
+_BARELY = 1e-9
+"""By how much an angle may be off by rounding [rad]."""
+_PARALLEL = 1e-300
+"""Stands for no component across a face, so that dividing by it gives a huge number and not none."""
+
+
+class Sight:
+    """Rays from the robots of a crowd.
+
+    Args:
+        crowd: who looks and is seen.
+        sensor_heights: of the planes of the robots' range finders [m].
+        arena: its walls.
+        footprints: of the obstacles.
+        poses: of the obstacles, shape (3, obstacles).
+    """
+
+    def __init__(
+        self, crowd: Crowd, sensor_heights: Sequence[float], arena: Arena, footprints: Footprints, poses: Floats
+    ) -> None:
+        self._crowd = crowd
+        self._heights: Floats = np.array(sensor_heights, dtype=np.float64)
+        self._arena = arena
+        self._obstacles = _Things(footprints, poses)
+        self._crowd_now: Optional[_Things] = None
+        self._lineup = -1
+
+    def forget(self) -> None:
+        """Look anew where everything is, for things have moved."""
+        self._crowd_now = None
+
+    def ranges(self, rows: Rows, bearings: Floats, max_range: float) -> Floats:
+        """Measure distances from robots.
+
+        Args:
+            rows: of the robots.
+            bearings: relative to their headings, the same for all [rad], shape (rays,).
+            max_range: what lies farther is not seen [m].
+
+        Returns:
+            Distances [m], shape (rows, rays); infinity where nothing is seen.
+        """
+        crowd = self._crowd
+        if self._crowd_now is None or self._lineup != crowd.lineup:
+            self._crowd_now, self._lineup = _Things(crowd.footprints, crowd.poses), crowd.lineup
+        rays = _Rays(crowd.poses[:, rows], self._heights[rows], bearings, max_range)
+        seen = _to_walls(self._arena, rays)
+        if bearings.size:
+            self._obstacles.look(rays, None, seen)
+            self._crowd_now.look(rays, rows, seen)
+        seen[~(seen <= max_range)] = np.inf
+        return seen
+
+
+class _Rays:
+    """Rays of robots, sorted by bearing so that those into a range of bearings lie side by side.
+
+    Attributes:
+        x, y: where they begin [m], shape (robots,).
+        yaw: headings of the robots [rad], shape (robots,).
+        heights: of the rays [m], shape (robots,).
+        directions: [rad] in the frame ``map``, shape (robots, rays).
+        max_range: how far they go [m].
+    """
+
+    def __init__(self, poses: Floats, heights: Floats, bearings: Floats, max_range: float) -> None:
+        self.x, self.y, self.yaw = poses
+        self.heights = heights
+        self.directions: Floats = self.yaw[:, None] + bearings
+        self.max_range = max_range
+        turns = np.mod(bearings, _FULL_TURN)
+        self._order: Rows = np.argsort(turns, kind="stable")
+        sorted_turns = turns[self._order]
+        self._twice = np.concatenate((sorted_turns, sorted_turns + _FULL_TURN))
+
+    def towards(self, bearing: Floats, half_angle: Floats) -> Tuple[Rows, Rows]:
+        """Find the rays that go into ranges of bearings.
+
+        Args:
+            bearing: the middle of each [rad], shape (ranges,).
+            half_angle: from its middle to its ends, up to pi [rad], shape (ranges,).
+
+        Returns:
+            Rows of ranges and of rays, by range.
+        """
+        low = np.mod(bearing - half_angle - _BARELY, _FULL_TURN)
+        begins = np.searchsorted(self._twice, low)
+        counts = np.searchsorted(self._twice, low + (2 * half_angle + 2 * _BARELY), side="right") - begins
+        counts = np.minimum(counts, self._order.size)
+        which = np.repeat(begins, counts) + counting(counts)
+        return np.repeat(np.arange(counts.size), counts), self._order[which % self._order.size]
+
+
+class _Things:
+    """Things that can be seen, where they are now."""
+
+    def __init__(self, footprints: Footprints, poses: Floats) -> None:
+        self._footprints = footprints
+        self._poses = poses
+        self._cells = Cells(poses[0], poses[1])
+        self._widest = float(footprints.radius.max()) if footprints.radius.size else 0.0
+
+    def look(self, rays: _Rays, own: Optional[Rows], seen: Floats) -> None:
+        """Shorten distances to those of things that are nearer.
+
+        Args:
+            rays: to follow.
+            own: for each robot, which of the things it is itself; None if they are none of them.
+            seen: distances, changed in place [m], shape (robots, rays).
+        """
+        shapes, poses = self._footprints, self._poses
+        robot, thing = self._cells.near(rays.x, rays.y, rays.max_range + self._widest)
+        x, y = poses[0, thing] - rays.x[robot], poses[1, thing] - rays.y[robot]
+        radius = shapes.radius[thing]
+        is_near = x * x + y * y <= (rays.max_range + radius) ** 2
+        height = rays.heights[robot]
+        is_near &= (shapes.low[thing] <= height) & (height <= shapes.high[thing])
+        if own is not None:
+            is_near &= own[robot] != thing
+        robot, thing, x, y, radius = (field[is_near] for field in (robot, thing, x, y, radius))
+        bearing = np.arctan2(y, x) - rays.yaw[robot]
+        distance = np.hypot(x, y)
+        is_beside = distance > radius
+        half_angle = np.where(is_beside, np.arcsin(radius / np.where(is_beside, distance, radius)), np.pi)
+        pair, ray = rays.towards(bearing, half_angle)
+        robot, thing, x, y = robot[pair], thing[pair], x[pair], y[pair]
+        direction = rays.directions[robot, ray]
+        disc = shapes.rounding[thing] > 0.0
+        box, chosen = ~disc, thing[~disc]
+        to_box = _to_box(x[box], y[box], direction[box], poses[2, chosen], shapes.half_size[:, chosen])
+        np.minimum.at(seen, (robot[box], ray[box]), to_box)
+        to_disc = _to_disc(x[disc], y[disc], direction[disc], shapes.rounding[thing[disc]])
+        np.minimum.at(seen, (robot[disc], ray[disc]), to_disc)
+
+
+def _to_box(x: Floats, y: Floats, direction: Floats, yaw: Floats, half_size: Floats) -> Floats:
+    """Measure along rays to boxes whose centres lie at x, y from their beginnings; infinity for a miss [m]."""
+    cos, sin = np.cos(yaw), np.sin(yaw)
+    centre = np.stack((cos * x + sin * y, cos * y - sin * x))
+    ahead = np.stack((np.cos(direction - yaw), np.sin(direction - yaw)))
+    ahead[ahead == 0.0] = _PARALLEL
+    # Where a ray goes from the side of the lower coordinates to the higher, it enters by the lower face.
+    ahead_half = np.copysign(half_size, ahead)
+    with np.errstate(over="ignore"):
+        enters = ((centre - ahead_half) / ahead).max(axis=0)
+        leaves = ((centre + ahead_half) / ahead).min(axis=0)
+    return np.where((enters <= leaves) & (enters >= 0.0), enters, np.inf)
+
+
+def _to_disc(x: Floats, y: Floats, direction: Floats, radius: Floats) -> Floats:
+    """Measure along rays to discs whose centres lie at x, y from their beginnings; infinity for a miss [m]."""
+    cos, sin = np.cos(direction), np.sin(direction)
+    along, across = cos * x + sin * y, cos * y - sin * x
+    half_chord_squared = radius * radius - across * across
+    enters = along - np.sqrt(np.maximum(half_chord_squared, 0.0))
+    return np.where((half_chord_squared >= 0.0) & (enters >= 0.0), enters, np.inf)
+
+
+def _to_walls(arena: Arena, rays: _Rays) -> Floats:
+    """Measure along rays to the inner faces of the walls; infinity over their tops [m], shape (robots, rays)."""
+    far = np.full(rays.directions.shape, np.inf)
+    for place, ahead, low, high in (
+        (rays.x, np.cos(rays.directions), arena.min_x, arena.max_x),
+        (rays.y, np.sin(rays.directions), arena.min_y, arena.max_y),
+    ):
+        ahead[ahead == 0.0] = _PARALLEL
+        face = np.where(ahead > 0.0, (high - place)[:, None], (low - place)[:, None])
+        with np.errstate(over="ignore"):
+            np.minimum(far, face / ahead, out=far)
+    far[rays.heights > arena.wall_height] = np.inf
+    return far
