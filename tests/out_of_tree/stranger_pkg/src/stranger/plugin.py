@@ -1,0 +1,134 @@
+"""The stranger's implementations of hooks: all there are."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any, Mapping, Sequence
+
+from rqt_mrta_py.hooks import Benchmark, BenchmarkTable, ParameterProblem, Verb, hookimpl
+from rqt_mrta_py.model import Event, Mission, MissionRecord, Outcome, Task
+from stranger import ground, mole, watching
+
+
+@hookimpl
+def mrta_register_agents() -> Mapping[str, Any]:
+    return {"stranger": mole.Agent}
+
+
+@hookimpl
+def mrta_register_allocation_interpreters() -> Mapping[str, Any]:
+    return {"stranger": watching.Interpreter}
+
+
+@hookimpl
+def mrta_register_behaviours() -> Mapping[str, Any]:
+    return {"digging": mole.Digging}
+
+
+@hookimpl
+def mrta_register_sensory_evaluators() -> Mapping[str, Any]:
+    return {"stranger/after_a_while": mole.AfterAWhile}
+
+
+@hookimpl
+def mrta_register_allocators() -> Mapping[str, Any]:
+    return {"stranger/last_first": mole.last_first}
+
+
+@hookimpl
+def mrta_register_planners() -> Mapping[str, Any]:
+    return {"detour": ground.Detour}
+
+
+@hookimpl
+def mrta_register_worlds() -> Mapping[str, Any]:
+    return {"burrow": ground.Burrow}
+
+
+@hookimpl
+def mrta_register_robot_models() -> Mapping[str, Any]:
+    return {"mole": ground.MOLE}
+
+
+@hookimpl
+def mrta_register_sensors() -> Mapping[str, Any]:
+    return {"odometer": ground.Odometer}
+
+
+@hookimpl
+def mrta_register_links() -> Mapping[str, Any]:
+    return {"tin_can": ground.TinCan}
+
+
+@hookimpl
+def mrta_register_incident_rules() -> Mapping[str, Any]:
+    return {"somebody_works": watching.SomebodyWorks}
+
+
+@hookimpl
+def mrta_register_statistics() -> Mapping[str, Any]:
+    return {"gave_up": lambda record: sum(each.outcome is Outcome.GAVE_UP for each in record.allocations)}
+
+
+@hookimpl
+def mrta_register_monitor_panels() -> Mapping[str, Any]:
+    return {"stranger/mileage": watching.MileagePanel}
+
+
+@hookimpl
+def mrta_register_renderers() -> Mapping[str, Any]:
+    return {"monitor": watching.draw}
+
+
+@hookimpl
+def mrta_register_exporters() -> Mapping[str, Any]:
+    return {"trace": watching.Trace}
+
+
+@hookimpl
+def mrta_register_message_observers() -> Mapping[str, Any]:
+    return {"ear": watching.Ear}
+
+
+@hookimpl
+def mrta_register_verbs() -> Mapping[str, Any]:
+    def heap(options: Any) -> int:
+        sys.stdout.write("o" * options.height + "\n")
+        return 1 if options.height > 9 else 0
+
+    def arguments(parser: Any) -> None:
+        parser.add_argument("height", type=int)
+
+    return {"molehill": Verb("Heap up a molehill.", arguments, heap)}
+
+
+@hookimpl
+def mrta_register_benchmarks() -> Mapping[str, Any]:
+    def measure(options: Any) -> BenchmarkTable:
+        return BenchmarkTable("Digging", ("depth [m]", "worms"), ((options.depth, 3),), ("Worms may vary.",))
+
+    return {"burrowing": Benchmark("dig", lambda parser: parser.add_argument("--depth", type=float), measure)}
+
+
+@hookimpl
+def mrta_check_parameters(
+    architecture: str, robot_id: str, parameters: Mapping[str, Any], tasks: Sequence[Task]
+) -> Sequence[ParameterProblem]:
+    if architecture != "stranger" or parameters["patience"] > 0.0:
+        return ()
+    return [ParameterProblem("patience", f"{robot_id} has none left for {len(tasks)} tasks")]
+
+
+@hookimpl
+def mrta_on_mission_start(mission: Mission) -> None:
+    watching.LOG.info("begins: %s", mission.application.name)
+
+
+@hookimpl
+def mrta_on_event(event: Event) -> None:
+    watching.LOG.info("event: %s", event.text)
+
+
+@hookimpl
+def mrta_on_mission_end(record: MissionRecord) -> None:
+    watching.LOG.info("ends after %g s", (record.end or 0.0) - (record.start or 0.0))
