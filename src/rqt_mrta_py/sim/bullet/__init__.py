@@ -2,9 +2,11 @@
 
 * ``engine``: loads PyBullet and owns one client of it
 * ``surroundings``: floor, walls, obstacles
+* ``robot_shape``: what a robot looks like
 * ``wheeled_robot``: builds, drives and brakes one robot
 * ``loose_bodies``: what robots can push and carry
-* ``range_rays``: what a range finder would see
+* ``sight``: what range finders can see, and where it is
+* ``range_rays``: level rays against boxes, balls and pillars
 * ``world``: all of it behind the Protocol ``hooks.World``
 """
 

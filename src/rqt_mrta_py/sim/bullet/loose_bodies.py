@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import math
-from typing import Dict, NamedTuple, Optional
+from typing import Dict, NamedTuple, Optional, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import Body, BodyState
@@ -32,6 +35,7 @@ class LooseBodies:
     def __init__(self, engine: Engine) -> None:
         self._engine = engine
         self._bodies: Dict[str, int] = {}
+        self._half_sizes: Dict[str, Tuple[float, ...]] = {}
         self._holds: Dict[str, _Hold] = {}
 
     def add(self, body: Body) -> int:
@@ -60,6 +64,7 @@ class LooseBodies:
         bullet.changeDynamics(number, _BASE, lateralFriction=body.friction, physicsClientId=client)
         bullet.setCollisionFilterGroupMask(number, _BASE, LOOSE_GROUP, _EVERYTHING, physicsClientId=client)
         self._bodies[body.id] = number
+        self._half_sizes[body.id] = half_extents
         return number
 
     def remove(self, body_id: str) -> int:
@@ -75,7 +80,7 @@ class LooseBodies:
         if body_id in self._holds:
             self.detach(body_id)
         self._engine.bullet.removeBody(number, physicsClientId=self._engine.client)
-        del self._bodies[body_id]
+        del self._bodies[body_id], self._half_sizes[body_id]
         return number
 
     def attach(self, robot_id: str, robot: WheeledRobot, body_id: str) -> None:
@@ -127,6 +132,15 @@ class LooseBodies:
             body_id: BodyState(*bullet.getBasePositionAndOrientation(number, physicsClientId=client))
             for body_id, number in self._bodies.items()
         }
+
+    def frames(self) -> NDArray[np.float64]:
+        """Give position [m] and quaternion (x, y, z, w) of every body: shape (bodies, 7)."""
+        frames = [(*state.position, *state.orientation) for state in self.states().values()]
+        return np.array(frames, dtype=np.float64).reshape(-1, 7)
+
+    def half_sizes(self) -> NDArray[np.float64]:
+        """Give half of length, width and height of every body [m]: shape (bodies, 3)."""
+        return np.array(list(self._half_sizes.values()), dtype=np.float64).reshape(-1, 3)
 
     def _number(self, body_id: str) -> int:
         number: Optional[int] = self._bodies.get(body_id)

@@ -1,17 +1,14 @@
-"""A robot on two driven wheels and two casters, as quick to simulate as it can be without driving wrongly.
-
-The body is one compound shape with its casters, the wheels are spheres: two links instead of four bodies. Casters at
-the height of the wheels would carry most of the weight and let the wheels skid, so they stand off the floor.
-"""
+"""A robot on two driven wheels and two casters, as quick to simulate as it can be without driving wrongly."""
 
 from __future__ import annotations
 
 import math
 from typing import Optional
 
-from rqt_mrta_py.hooks import PlacedRobot, RobotModel
+from rqt_mrta_py.hooks import PlacedRobot
 from rqt_mrta_py.model import Twist
 from rqt_mrta_py.sim.bullet.engine import Engine
+from rqt_mrta_py.sim.bullet.robot_shape import RobotShape, shape_of
 
 __all__ = ["WheeledRobot"]
 
@@ -21,11 +18,6 @@ _WHEEL_INERTIA_SHARE = 0.5
 with it. With the bare wheel's the solver would not converge: robots told to stand still crept by 6 mm/s, and turning
 on the spot one wheel was 4 % slow, the other 9 % fast."""
 _MOTOR_TORQUE = 1.0
-_GROUND_CLEARANCE = 0.01
-"""From the top of the wheels' radius to the underside of the body [m]."""
-_CASTER_CLEARANCE = 0.001
-_CENTRE_OF_MASS_DROP = 0.01
-"""How far the centre of mass lies below the middle of the body [m]."""
 _LEFT, _RIGHT = 0, 1
 _BASE = -1
 
@@ -36,11 +28,13 @@ class WheeledRobot:
     Attributes:
         body: PyBullet's number of the body.
         model: what it is like.
+        shape: what it looks like.
     """
 
     def __init__(self, engine: Engine, robot: PlacedRobot) -> None:
         self.model = robot.model
-        self.body = _build(engine, robot)
+        self.shape = shape_of(robot.model)
+        self.body = _build(engine, robot, self.shape)
         self._engine = engine
         self._twist = Twist()
         self._anchor: Optional[int] = None
@@ -105,24 +99,21 @@ class WheeledRobot:
         )
 
 
-def _build(engine: Engine, robot: PlacedRobot) -> int:
+def _build(engine: Engine, robot: PlacedRobot, shape: RobotShape) -> int:
     """Build the body with its frame at the centre of mass, the wheels on the floor."""
     bullet, client, model = engine.bullet, engine.client, robot.model
-    underside = model.wheel_radius + _GROUND_CLEARANCE
-    frame_height = (underside + model.height) / 2 - _CENTRE_OF_MASS_DROP
     wheel_mass = model.mass * _WHEEL_MASS_SHARE
     wheel = bullet.createCollisionShape(bullet.GEOM_SPHERE, radius=model.wheel_radius, physicsClientId=client)
-    wheel_drop = model.wheel_radius - frame_height
     level = (0.0, 0.0, 0.0, 1.0)
     body: int = bullet.createMultiBody(
         baseMass=model.mass - 2 * wheel_mass,
-        baseCollisionShapeIndex=_body_shape(engine, model, frame_height),
-        basePosition=(robot.start.x, robot.start.y, frame_height),
+        baseCollisionShapeIndex=_body_shape(engine, shape),
+        basePosition=(robot.start.x, robot.start.y, shape.frame_height),
         baseOrientation=(0.0, 0.0, math.sin(robot.start.yaw / 2), math.cos(robot.start.yaw / 2)),
         linkMasses=(wheel_mass, wheel_mass),
         linkCollisionShapeIndices=(wheel, wheel),
         linkVisualShapeIndices=(-1, -1),
-        linkPositions=((0.0, model.track / 2, wheel_drop), (0.0, -model.track / 2, wheel_drop)),
+        linkPositions=tuple(wheel.centre for wheel in shape.wheels),
         linkOrientations=(level, level),
         linkInertialFramePositions=((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)),
         linkInertialFrameOrientations=(level, level),
@@ -141,29 +132,18 @@ def _build(engine: Engine, robot: PlacedRobot) -> int:
     return body
 
 
-def _body_shape(engine: Engine, model: RobotModel, frame_height: float) -> int:
+def _body_shape(engine: Engine, shape: RobotShape) -> int:
     """Join the box and the casters in front and behind into one shape."""
     bullet = engine.bullet
-    underside = model.wheel_radius + _GROUND_CLEARANCE
-    caster_radius = underside / 2
-    caster_x = model.length / 2 - caster_radius - 0.01
-    caster_z = caster_radius + _CASTER_CLEARANCE - frame_height
+    front, rear = shape.casters
     level = [0.0, 0.0, 0.0, 1.0]
     # Lists throughout: this call crashes on tuples.
-    shape: int = bullet.createCollisionShapeArray(
+    joined: int = bullet.createCollisionShapeArray(
         shapeTypes=[bullet.GEOM_BOX, bullet.GEOM_SPHERE, bullet.GEOM_SPHERE],
-        halfExtents=[
-            [model.length / 2, model.width / 2, (model.height - underside) / 2],
-            [0.0, 0.0, 0.0],
-            [0.0, 0.0, 0.0],
-        ],
-        radii=[0.0, caster_radius, caster_radius],
-        collisionFramePositions=[
-            [0.0, 0.0, _CENTRE_OF_MASS_DROP],
-            [caster_x, 0.0, caster_z],
-            [-caster_x, 0.0, caster_z],
-        ],
+        halfExtents=[list(shape.box_half_size), [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]],
+        radii=[0.0, front.radius, rear.radius],
+        collisionFramePositions=[list(shape.box_centre), list(front.centre), list(rear.centre)],
         collisionFrameOrientations=[level, level, level],
         physicsClientId=engine.client,
     )
-    return shape
+    return joined

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Set, Tuple, Union
+from typing import Dict, FrozenSet, Mapping, Optional, Sequence, Set, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,8 @@ from rqt_mrta_py.hooks import Body, BodyState, Contact, WorldSetup
 from rqt_mrta_py.model import Twist
 from rqt_mrta_py.sim.bullet.engine import Engine
 from rqt_mrta_py.sim.bullet.loose_bodies import LooseBodies
-from rqt_mrta_py.sim.bullet.range_rays import cast_rays
+from rqt_mrta_py.sim.bullet.range_rays import Rays
+from rqt_mrta_py.sim.bullet.sight import Sight
 from rqt_mrta_py.sim.bullet.surroundings import WALL, build_surroundings
 from rqt_mrta_py.sim.bullet.wheeled_robot import WheeledRobot
 
@@ -41,6 +42,8 @@ class BulletWorld:
         self._names: Dict[int, str] = {}
         self._loose: Optional[LooseBodies] = None
         self._physics_steps = 0
+        self._sight: Optional[Sight] = None
+        self._frames: NDArray[np.float64] = np.empty((0, 7))
         self._poses: NDArray[np.float64] = np.empty((0, 3))
 
     @property
@@ -71,6 +74,8 @@ class BulletWorld:
         self._rows = {robot_id: row for row, robot_id in enumerate(self._robots)}
         self._names.update({robot.body: robot_id for robot_id, robot in self._robots.items()})
         self._loose = LooseBodies(self._engine)
+        self._sight = Sight(setup.arena, setup.obstacles, [robot.shape for robot in self._robots.values()])
+        self._frames = np.empty((len(self._robots), 7))
         self._poses = np.empty((len(self._robots), 3))
         self._read_poses()
 
@@ -172,13 +177,19 @@ class BulletWorld:
         Raises:
             SimError: no such robot.
         """
-        seen = np.empty((len(robots), np.size(bearings)))
-        for row, robot in enumerate(robots):
-            wheeled = self._robot(robot)
-            x, y, yaw = self._poses[self._rows[robot]]
-            centre = (float(x), float(y), wheeled.model.sensor_height)
-            seen[row] = cast_rays(self._running, wheeled.body, centre, yaw + np.asarray(bearings), max_range)
-        return seen
+        wheeled = [self._robot(robot) for robot in robots]
+        rows = np.array([self._rows[robot] for robot in robots], dtype=np.int64)
+        origin = np.empty((len(rows), 3))
+        origin[:, :2] = self._poses[rows, :2]
+        origin[:, 2] = [robot.model.sensor_height for robot in wheeled]
+        angle = self._poses[rows, 2, None] + np.asarray(bearings, dtype=np.float64)
+        loose = self._bodies
+        return self._seen.measure(
+            Rays(rows, origin, np.cos(angle), np.sin(angle), max_range),
+            self._frames,
+            loose.frames(),
+            loose.half_sizes(),
+        )
 
     def close(self) -> None:
         """Free the physics client; safe to call twice."""
@@ -203,15 +214,20 @@ class BulletWorld:
             raise SimError(f"robot {robot_id}: not in this world; there are: {', '.join(self._robots) or 'none'}")
         return self._robots[robot_id]
 
+    @property
+    def _seen(self) -> Sight:
+        if self._engine is None or self._sight is None:
+            raise SimError("world bullet: not built yet or closed; call reset first")
+        return self._sight
+
     def _read_poses(self) -> None:
         engine = self._running
         locate, client = engine.bullet.getBasePositionAndOrientation, engine.client
-        rows: List[Tuple[float, float, float]] = []
-        for robot in self._robots.values():
-            (x, y, _), (qx, qy, qz, qw) = locate(robot.body, physicsClientId=client)
-            rows.append((x, y, math.atan2(2 * (qw * qz + qx * qy), 1 - 2 * (qy * qy + qz * qz))))
-        if rows:
-            self._poses[:] = rows
+        for row, robot in enumerate(self._robots.values()):
+            position, (x, y, z, w) = locate(robot.body, physicsClientId=client)
+            self._frames[row] = (*position, x, y, z, w)
+            yaw = math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+            self._poses[row] = (position[0], position[1], yaw)
 
 
 def _physics_steps(setup: WorldSetup) -> int:
