@@ -79,6 +79,8 @@ EVENTS = """events:
 - {time: 9, kind: task_appears, task: dig}
 - {time: 5, kind: task_appears, task: rest}
 - {time: 20, kind: task_withdrawn, task: fill}
+- {time: 22, kind: task_appears, task: fill}
+- {time: 8, kind: task_withdrawn, task: rest}
 """
 
 

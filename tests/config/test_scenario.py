@@ -255,23 +255,24 @@ def test_events_are_checked_in_the_order_of_time() -> None:
 
 
 def test_task_is_there_from_its_appearance_until_it_is_withdrawn() -> None:
+    """One that is reassigned before it appears is there all the time."""
     assert said(
         """
-  - {time: 2, kind: task_withdrawn, task: dig}
-  - {time: 3, kind: task_reassigned, task: dig, robot: r1}
   - {time: 4, kind: task_appears, task: dig}
   - {time: 5, kind: task_appears, task: dig}
   - {time: 6, kind: task_withdrawn, task: dig}
   - {time: 7, kind: task_withdrawn, task: dig}
+  - {time: 7, kind: task_reassigned, task: dig, robot: r1}
   - {time: 7, kind: task_appears, task: dig}
   - {time: 8, kind: task_reassigned, task: dig, robot: r1}
   - {time: 8, kind: task_reassigned, task: fill, robot: r1}
+  - {time: 9, kind: task_appears, task: fill}
 """
     ) == [
-        "s:7: events[0]/task: 'dig' is not there before it appears at 4 s",
-        "s:8: events[1]/task: 'dig' is not there before it appears at 4 s",
-        "s:10: events[3]/task: 'dig' is there already; let it be withdrawn before it appears again",
-        "s:12: events[5]/task: 'dig' was withdrawn at 6 s; let it appear again before",
+        "s:8: events[1]/task: 'dig' is there already; let it be withdrawn before it appears again",
+        "s:10: events[3]/task: 'dig' was withdrawn at 6 s; let it appear again before",
+        "s:11: events[4]/task: 'dig' was withdrawn at 6 s; let it appear again before",
+        "s:15: events[8]/task: 'fill' is there already; let it be withdrawn before it appears again",
     ]
 
 

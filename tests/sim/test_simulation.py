@@ -29,6 +29,7 @@ from rqt_mrta_py.sim.plugin import (
     mrta_register_sensors,
     mrta_register_worlds,
 )
+from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
 from tests.sim.doubles import StillWorld
 
 KIND = ScenarioEventKind
@@ -337,8 +338,9 @@ def test_simulation_names_everything_that_is_missing_with_what_there_is():
         RobotSetup("robot1", "dif_drive", Pose(0.0, 0.0), (SensorSetup("range_findr", "scan", 10.0),)),
         RobotSetup("robot2", "hexapod", Pose(1.0, 0.0)),
     )
+    worlds = {"still": StillWorld, "bullet": StillWorld}
     with pytest.raises(SimError) as caught:
-        simulation(scenario(robots=robots, world="bulet"))
+        simulation(scenario(robots=robots, world="bulet"), worlds=worlds, models={"diff_drive": DIFF_DRIVE})
     assert str(caught.value).splitlines() == [
         "scenario: no world 'bulet'; did you mean bullet? there are: bullet, still",
         "robot robot1: no robot model 'dif_drive'; did you mean diff_drive? there are: diff_drive",

@@ -94,7 +94,7 @@ _FORMS: Tuple[Tuple[ScenarioEventKind, str, Tuple[Key, ...]], ...] = (
     ),
     (
         ScenarioEventKind.TASK_APPEARS,
-        "A listed task, unknown at the start, is there; or a withdrawn one is there again.",
+        "A listed task is there; it was not before, if nothing happens to it earlier, or it is there again.",
         (_TASK,),
     ),
     (ScenarioEventKind.TASK_WITHDRAWN, "An operator takes a task back.", (_TASK,)),

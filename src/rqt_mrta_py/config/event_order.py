@@ -8,7 +8,7 @@ from rqt_mrta_py.config.event_form import UNDOES
 from rqt_mrta_py.config.wording import accepted
 from rqt_mrta_py.model import ScenarioEvent, ScenarioEventKind
 
-__all__ = ["EventProblem", "find_misfits"]
+__all__ = ["EventProblem", "appearing_tasks", "find_misfits"]
 
 _NOTHING_TO_UNDO = {
     ScenarioEventKind.ROBOT_RETURNS: "{robot} is not stopped then; let it stop before, once for each return",
@@ -37,7 +37,7 @@ def find_misfits(
 ) -> List[EventProblem]:
     """Find events that cannot happen where they stand, each being sound by its form.
 
-    Events happen by time, then in the order given. A task that some event lets appear is not there before.
+    Events happen by time, then in the order given.
 
     Args:
         events: in any order.
@@ -57,6 +57,22 @@ def find_misfits(
         for index in order
         for found in (*undoing.enter(events[index]), *books.enter(events[index]))
     ]
+
+
+def appearing_tasks(events: Sequence[ScenarioEvent]) -> Dict[str, float]:
+    """Find the tasks that are not there at the start: those to which nothing happens before they appear.
+
+    Args:
+        events: in any order.
+
+    Returns:
+        When each of them appears first [s], by id.
+    """
+    first: Dict[str, ScenarioEvent] = {}
+    for event in sorted(events, key=lambda event: event.time):
+        if event.task is not None:
+            first.setdefault(event.task, event)
+    return {task: event.time for task, event in first.items() if event.kind is ScenarioEventKind.TASK_APPEARS}
 
 
 def _strangers(
@@ -94,24 +110,21 @@ class _Undoing:
 
 
 class _TaskBooks:
-    """Which tasks are not there, and why."""
+    """Which tasks are away: not there yet, or withdrawn at some time [s]."""
 
     def __init__(self, events: Sequence[ScenarioEvent]) -> None:
-        self._missing: Dict[Optional[str], str] = {}
-        for event in sorted(events, key=lambda event: event.time):
-            if event.kind is ScenarioEventKind.TASK_APPEARS:
-                self._missing.setdefault(event.task, f"is not there before it appears at {event.time:g} s")
+        self._away = appearing_tasks(events)
 
     def enter(self, event: ScenarioEvent) -> Iterator[Tuple[str, str]]:
         """Let an event happen; yield key and message of what is wrong."""
         if event.task is None:
             return
-        why = self._missing.get(event.task)
         if event.kind is ScenarioEventKind.TASK_APPEARS:
-            if why is None:
+            if event.task not in self._away:
                 yield "task", f"{event.task!r} is there already; let it be withdrawn before it appears again"
-            self._missing.pop(event.task, None)
-        elif why is not None:
-            yield "task", f"{event.task!r} {why}"
+            self._away.pop(event.task, None)
+        elif event.task in self._away:
+            since = self._away[event.task]
+            yield "task", f"{event.task!r} was withdrawn at {since:g} s; let it appear again before"
         elif event.kind is ScenarioEventKind.TASK_WITHDRAWN:
-            self._missing[event.task] = f"was withdrawn at {event.time:g} s; let it appear again before"
+            self._away[event.task] = event.time

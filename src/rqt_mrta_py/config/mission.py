@@ -7,6 +7,7 @@ from typing import Callable, Dict, List, Optional, Sequence, Tuple, TypeVar
 
 from rqt_mrta_py.config.application import ApplicationFile, read_application_file
 from rqt_mrta_py.config.architecture import read_architecture
+from rqt_mrta_py.config.event_order import appearing_tasks
 from rqt_mrta_py.config.parameter_file import parse_parameters
 from rqt_mrta_py.config.registration import RegistrationKind, Registry
 from rqt_mrta_py.config.robot_parameters import ParameterChecks, Team, resolve_team
@@ -16,7 +17,7 @@ from rqt_mrta_py.config.tasks import read_tasks
 from rqt_mrta_py.config.wording import accepted, shown
 from rqt_mrta_py.config.xml_text import decode_xml
 from rqt_mrta_py.errors import ConfigError, Problem
-from rqt_mrta_py.model import ApplicationSpec, Mission, MissionTexts, ScenarioEventKind, ScenarioSpec, Task
+from rqt_mrta_py.model import ApplicationSpec, Mission, MissionTexts, ScenarioSpec, Task
 
 __all__ = ["load_mission", "load_observed", "mission_from_texts"]
 
@@ -183,9 +184,8 @@ def _scenario(
 def _by_appearance(
     tasks: Tuple[Task, ...], scenario: Optional[ScenarioSpec]
 ) -> Tuple[Tuple[Task, ...], Tuple[Task, ...]]:
-    """Part tasks that are there from the start from those that an event lets appear, each in file order."""
-    events = scenario.events if scenario is not None else ()
-    appearing = {event.task for event in events if event.kind is ScenarioEventKind.TASK_APPEARS}
+    """Part tasks that are there from the start from those that appear later, each in file order."""
+    appearing = appearing_tasks(scenario.events if scenario is not None else ())
     first = tuple(task for task in tasks if task.id not in appearing)
     return first, tuple(task for task in tasks if task.id in appearing)
 
