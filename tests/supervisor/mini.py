@@ -47,6 +47,7 @@ def mission(
     completed: Sequence[MonitoredTopic] = (),
     failed: Sequence[MonitoredTopic] = (),
     robots_a_task: int = 1,
+    later: Sequence[str] = (),
 ) -> Mission:
     """Describe a team under an architecture that speaks like ALLIANCE."""
     return Mission(
@@ -63,6 +64,7 @@ def mission(
             failed_tasks=tuple(failed),
         ),
         tasks=tuple(Task(task, "patrol", robots=robots_a_task) for task in tasks),
+        later_tasks=tuple(Task(task, "patrol", robots=robots_a_task) for task in later),
         seed=7,
     )
 

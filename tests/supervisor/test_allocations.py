@@ -193,6 +193,56 @@ def test_task_reassigned_to_the_robot_that_holds_it_goes_on() -> None:
     assert allocations(stream.finish()) == [("robot1", "patrol", 1.0, 2.0, "open")]
 
 
+def test_task_reassigned_to_one_of_two_holders_is_taken_from_the_other_only() -> None:
+    stream = Stream(mission(robots_a_task=2))
+    stream.busy(1.0, "robot1", "patrol")
+    stream.busy(1.5, "robot2", "patrol")
+    stream.progress(2.0, "patrol", "robot2", Progress.REASSIGNED)
+    stream.tick(2.5)
+    record = stream.finish()
+    assert allocations(record) == [
+        ("robot1", "patrol", 1.0, 2.0, "preempted"),
+        ("robot2", "patrol", 1.5, 2.5, "open"),
+    ]
+    assert history(record, "patrol") == [("executing", 1.0, 2.5)]
+
+
+@pytest.mark.parametrize("named", ["", "robot9"])
+def test_task_reassigned_to_nobody_known_is_taken_from_all_and_waits(named: str) -> None:
+    stream = Stream()
+    stream.busy(1.0, "robot1", "patrol")
+    stream.progress(2.0, "patrol", named, Progress.REASSIGNED)
+    stream.tick(2.5)
+    record = stream.finish()
+    assert allocations(record) == [("robot1", "patrol", 1.0, 2.0, "preempted")]
+    assert history(record, "patrol") == [("executing", 1.0, 2.0), ("waiting", 2.0, 2.5)]
+
+
+def test_task_that_has_ended_stays_ended_when_it_is_reassigned() -> None:
+    stream = Stream()
+    stream.busy(1.0, "robot1", "patrol")
+    stream.progress(2.0, "patrol", "robot1", Progress.DONE)
+    stream.progress(2.5, "patrol", "robot2", Progress.REASSIGNED)
+    stream.tick(3.0)
+    record = stream.finish()
+    assert allocations(record) == [("robot1", "patrol", 1.0, 2.0, "done")]
+    assert history(record, "patrol") == [("executing", 1.0, 2.0), ("done", 2.0, 3.0)]
+
+
+def test_robot_whose_clock_is_far_behind_gets_its_task_into_the_books_all_the_same() -> None:
+    """An operator's stamp and a robot's are of different clocks; by stamps alone robot1 held nothing for a minute."""
+    stream = Stream()
+    stream.every(0.5, 61.0, 62.0, lambda time: stream.busy(time, "robot1", "patrol", stamp=time - 60.0))
+    stream.progress(62.0, "patrol", "robot2", Progress.REASSIGNED)
+    stream.busy(62.3, "robot1", "patrol", stamp=2.3)
+    stream.every(0.5, 64.5, 66.0, lambda time: stream.busy(time, "robot1", "patrol", stamp=time - 60.0))
+    stream.tick(66.0)
+    assert allocations(stream.finish()) == [
+        ("robot1", "patrol", 61.0, 62.0, "preempted"),
+        ("robot1", "patrol", 64.5, 66.0, "open"),
+    ]
+
+
 def test_done_by_one_robot_preempts_another_on_a_single_robot_task() -> None:
     stream = Stream()
     stream.busy(1.0, "robot1", "patrol")

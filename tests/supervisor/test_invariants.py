@@ -15,6 +15,8 @@ from tests.supervisor.mini import ALLOCATED, BUSY, Signs, Stream, mission, of_ki
 
 ROBOTS = ("robot1", "robot2", "robot3")
 TASKS = ("patrol", "inspect")
+RESCUE, GHOST = "rescue", "ghost"
+"""A task that is listed for later where a mission says so, and one that nobody lists."""
 
 # How long an example takes says nothing on a machine that is busy with other things.
 patient = settings(deadline=None)
@@ -25,7 +27,7 @@ steps = st.tuples(
     st.sampled_from([0.0, 0.0, 0.1, 0.4, 0.5, 1.0, 1.9, 2.0, 2.1, 5.0, -1.0]),
     st.sampled_from(["busy", "busy", "late", "idle", "odom", "tick", "sign", "progress", "nameless"]),
     st.sampled_from(ROBOTS),
-    st.sampled_from(TASKS),
+    st.sampled_from([*TASKS, *TASKS, RESCUE, GHOST]),
     st.sampled_from(sorted({each.value for each in (*Progress, *Outcome)})),
 )
 streams = st.lists(steps, max_size=60)
@@ -33,6 +35,8 @@ missions = st.sampled_from(
     [
         mission(),
         mission(robots=(), tasks=()),
+        mission(later=[RESCUE]),
+        mission(tasks=(), later=[RESCUE], robots_a_task=2),
         mission(allocated=[ALLOCATED, MonitoredTopic("/nameless", "", "task", timeout=1.0)], robots_a_task=2),
         mission(busy=[MonitoredTopic(BUSY.name, BUSY.type, BUSY.field, timeout=0.0)], idle=[]),
     ]
@@ -100,6 +104,8 @@ def check(record: MissionRecord) -> None:
         pair = (allocation.robot, allocation.task)
         assert newest.get(pair, record.start) <= allocation.start
         newest[pair] = allocation.end
+    still_open = [(each.robot, each.task) for each in record.allocations if each.outcome is Outcome.OPEN]
+    assert len(still_open) == len(set(still_open))
     for incident in record.incidents:
         assert record.start <= incident.start <= incident.end <= record.end
 
@@ -187,3 +193,25 @@ def test_record_of_a_later_moment_is_what_the_stream_tells_when_it_gets_there(
     there.say(moment, "/nobody")
     reached = there.supervisor.record()
     assert shown == reached
+
+
+@patient
+@given(st.sampled_from([mission(), mission(later=[RESCUE]), mission(tasks=(), later=[RESCUE])]), streams)
+def test_task_is_in_the_books_from_its_first_mention_to_the_end(of: Mission, story: List[Step]) -> None:
+    """A task listed for later enters with any word on it, one that nobody lists only when it is said to appear."""
+    listed = {task.id for task in of.later_tasks}
+    expected: Dict[str, float] = {}
+    time = newest = 1.0
+    for index, (wait, kind, _, task, word) in enumerate(story):
+        time = round(time + wait, 9)
+        newest = time if index == 0 else max(newest, time)
+        expected.update({each.id: newest for each in of.tasks if index == 0})
+        appears = kind == "progress" and word == Progress.APPEARED.value
+        named = kind in ("busy", "late", "progress") and task in listed
+        if (appears or named) and task not in expected:
+            expected[task] = newest
+    stream = listening(of)
+    play(stream, story)
+    record = stream.finish()
+    assert {task.id: task.history[0].start for task in record.tasks} == expected
+    assert all(task.history[-1].end == record.end for task in record.tasks)

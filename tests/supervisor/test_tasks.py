@@ -62,6 +62,66 @@ def test_incoming_message_brings_up_a_task_that_was_not_listed() -> None:
     assert [event.text for event in of_kind(stream.events, "task_state")] == ["rescue has come up and is waiting"]
 
 
+def test_later_task_waits_from_the_moment_it_appears() -> None:
+    stream = Stream(mission(later=["rescue"]))
+    stream.tick(0.0)
+    stream.progress(2.0, "/rescue", "", Progress.APPEARED)
+    stream.busy(3.0, "robot1", "rescue")
+    stream.tick(4.0)
+    record = stream.finish()
+    assert [task.id for task in record.tasks] == ["patrol", "inspect", "report", "rescue"]
+    assert history(record, "rescue") == [("waiting", 2.0, 3.0), ("executing", 3.0, 4.0)]
+    texts = [event.text for event in of_kind(stream.events, "task_state")]
+    assert texts == ["rescue has come up and is waiting", "rescue is executing"]
+
+
+def test_later_task_enters_the_books_when_it_is_taken_though_nobody_heard_it_appear() -> None:
+    stream = Stream(mission(later=["rescue"]))
+    stream.tick(0.0)
+    stream.busy(3.0, "robot1", "rescue")
+    stream.tick(4.0)
+    record = stream.finish()
+    assert history(record, "rescue") == [("executing", 3.0, 4.0)]
+    assert allocations(record) == [("robot1", "rescue", 3.0, 4.0, "open")]
+
+
+def test_later_task_counts_the_robots_that_its_list_says_it_needs() -> None:
+    stream = Stream(mission(later=["rescue"], robots_a_task=2))
+    stream.progress(1.0, "rescue", "", Progress.APPEARED)
+    stream.busy(2.0, "robot1", "rescue")
+    stream.busy(2.0, "robot2", "rescue")
+    stream.progress(3.0, "rescue", "robot1", Progress.DONE)
+    assert [outcome for *_, outcome in allocations(stream.finish())] == ["done", "done"]
+
+
+def test_team_whose_tasks_all_come_later_is_not_one_that_lists_none() -> None:
+    stream = Stream(mission(tasks=(), later=["rescue"]))
+    stream.busy(1.0, "robot1", "ghost")
+    stream.tick(2.0)
+    assert stream.finish().tasks == ()
+
+
+def test_task_withdrawn_before_anybody_took_it_stays_in_the_books_and_may_appear_again() -> None:
+    stream = Stream(mission(later=["rescue"]))
+    stream.tick(0.0)
+    stream.progress(1.0, "rescue", "", Progress.APPEARED)
+    stream.progress(2.0, "rescue", "", Progress.WITHDRAWN)
+    stream.busy(2.5, "robot1", "rescue")
+    stream.progress(3.0, "rescue", "", Progress.APPEARED)
+    stream.busy(4.0, "robot1", "rescue")
+    stream.progress(5.0, "rescue", "", Progress.WITHDRAWN)
+    stream.tick(6.0)
+    record = stream.finish()
+    assert history(record, "rescue") == [
+        ("waiting", 1.0, 2.0),
+        ("withdrawn", 2.0, 3.0),
+        ("waiting", 3.0, 4.0),
+        ("executing", 4.0, 5.0),
+        ("withdrawn", 5.0, 6.0),
+    ]
+    assert allocations(record) == [("robot1", "rescue", 4.0, 5.0, "preempted")]
+
+
 def test_unlisted_task_stays_unknown_when_only_allocated() -> None:
     stream = Stream()
     stream.busy(1.0, "robot1", "rescue")

@@ -2,7 +2,7 @@
 
 * ``supervisor``: hears the stream, drives the rest, gives records and messages
 * ``team``: derives facts; ``robots``, ``tasks``, ``allocations`` keep one thing each, ``timeline`` their histories
-* ``agenda``: what falls due when
+* ``agenda``: what falls due when; ``copies``: a team that looks ahead without moving on
 * ``sources``, ``presence``: how messages tell robots and tasks
 * ``desk``, ``rules``: incidents; ``failures``: plugins that raise on the way
 * ``journal``, ``news``, ``summary``: the same for readers, for other nodes, for programs

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 from dataclasses import dataclass
 from typing import Dict, List, Optional, Tuple
 
@@ -43,6 +42,10 @@ class Hold:
         """When it expires unless renewed, in whole nanoseconds [s]."""
         return whole_nanoseconds(self.until)
 
+    def fork(self) -> Hold:
+        """Copy this allocation, so that the copy can go on by itself."""
+        return Hold(self.robot, self.task, self.start, self.order, self.until, self.last, self.expired, self.heard)
+
 
 class AllocationBook:
     """All allocations, open and ended.
@@ -55,7 +58,7 @@ class AllocationBook:
         self._of_robot: Dict[str, Dict[str, Hold]] = {}
         self._of_task: Dict[str, Dict[str, Hold]] = {}
         self._ended: Dict[int, Allocation] = {}
-        self._signed: Dict[_Pair, float] = {}
+        self._signed: Dict[_Pair, Tuple[float, float]] = {}
         self.expired: Dict[_Pair, Hold] = {}
         self.unsettled = False
 
@@ -110,14 +113,14 @@ class AllocationBook:
         newer = any(other.order > hold.order for other in self._of_robot[hold.robot].values())
         return Outcome.PREEMPTED if newer or taken not in ("", hold.task) else Outcome.GAVE_UP
 
-    def end(self, hold: Hold, time: float, outcome: Outcome, signed: Optional[float] = None) -> None:
+    def end(self, hold: Hold, time: float, outcome: Outcome, signed: Optional[Tuple[float, float]] = None) -> None:
         """End an allocation.
 
         Args:
             hold: one that is open.
             time: when it ended [s].
             outcome: how.
-            signed: header stamp of the message that ended it, or when that was received [s]; None if none did.
+            signed: header stamp of the message that ended it, and when that was received [s]; None if none did.
         """
         self.expired.pop((hold.robot, hold.task), None)
         del self._of_robot[hold.robot][hold.task]
@@ -127,15 +130,18 @@ class AllocationBook:
         if signed is not None:
             self._signed[hold.robot, hold.task] = signed
 
-    def is_late(self, robot: str, task: str, stamp: float) -> bool:
+    def is_late(self, robot: str, task: str, stamp: float, since: float) -> bool:
         """Tell whether a message is no newer than the sign that ended the last allocation of a robot and a task.
 
         Args:
             robot: its id.
             task: its id.
             stamp: the message's header stamp [s]; 0 if it has none, it then never counts as late.
+            since: signs received before it do not count [s]. Stamps may be of clocks that differ, or of one that was
+                set back: by stamps alone a robot could hold its task for ever, and nobody would know.
         """
-        return 0.0 < stamp <= self._signed.get((robot, task), 0.0)
+        signed = self._signed.get((robot, task))
+        return signed is not None and 0.0 < stamp <= signed[0] and signed[1] >= since
 
     def holders(self, task: str) -> Tuple[str, ...]:
         """List the ids of the robots that hold a task, sorted."""
@@ -158,7 +164,7 @@ class AllocationBook:
         twin._signed = dict(self._signed)
         holds = [hold for holds in self._of_robot.values() for hold in holds.values()]
         for hold in sorted(holds, key=lambda each: each.order):
-            copied = copy.copy(hold)
+            copied = hold.fork()
             if copied.expired is not None:
                 twin.expired[hold.robot, hold.task] = copied
             twin._of_robot.setdefault(hold.robot, {})[hold.task] = copied

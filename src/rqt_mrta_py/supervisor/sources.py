@@ -62,10 +62,14 @@ class Source:
 
     def robot_of(self, heard: Heard) -> str:
         """Read the normalised id of the robot; empty if the message names none."""
+        if not self.robot_path:
+            return heard.robot
         return normalise_id(text_of(heard.fields, self.robot_path)) or heard.robot
 
     def task_of(self, heard: Heard) -> str:
         """Read the normalised id of the task; empty if the message names none."""
+        if not self.task_path:
+            return heard.task
         return normalise_id(text_of(heard.fields, self.task_path)) or heard.task
 
 

@@ -55,8 +55,8 @@ class Statements:
             task_id: its id.
             robot_id: normalised id of who holds it; empty if the message names nobody.
             timeout: how long this counts [s].
-            heard: the message. One with a header stamp no newer than the sign that ended this allocation was late,
-                and does not begin it again.
+            heard: the message. One with a header stamp no newer than the sign that just ended this allocation was
+                late, and does not begin it again.
         """
         team = self._team
         hold = team.book.find(robot_id, task_id)
@@ -70,7 +70,7 @@ class Statements:
             team.hold_anonymously(task, timeout)
             return
         robot = team.find_robot(robot_id)
-        if robot is not None and not team.book.is_late(robot_id, task_id, stamp_of(heard)):
+        if robot is not None and not team.is_late(robot_id, task_id, stamp_of(heard)):
             team.hold(robot, task, timeout, heard)
 
     def signed(self, sign: AllocationSign, heard: Heard) -> None:

@@ -66,7 +66,7 @@ class Supervisor:
         self._desk = Desk(self._rules, self._on_opened, self._on_closed)
         topics = Topics(mission.architecture)
         robots = tuple(robot.id for robot in mission.application.robots)
-        self._team = Team(TeamSetup(robots, mission.tasks, topics.silence), self._on_fact)
+        self._team = Team(TeamSetup(robots, mission.tasks, topics.silence, mission.later_tasks), self._on_fact)
         self._ears = Ears(topics, self._team, self._enter, self.report)
         self._start: Optional[float] = None
         self._message: Tuple[str, int] = ("", -1)

@@ -27,6 +27,7 @@ from rqt_mrta_py.model import (
 )
 from rqt_mrta_py.supervisor.agenda import Agenda, Due, due_after
 from rqt_mrta_py.supervisor.allocations import AllocationBook, Hold
+from rqt_mrta_py.supervisor.copies import Copies, shown
 from rqt_mrta_py.supervisor.robots import RobotWatch
 from rqt_mrta_py.supervisor.tasks import TaskWatch, state_when_held
 
@@ -39,13 +40,15 @@ class TeamSetup:
 
     Attributes:
         robots: ids of the team; if empty, robots are admitted by first sight.
-        tasks: known at the start; if empty, tasks are admitted by first sight.
+        tasks: known at the start.
         silence: how long a robot says nothing on any topic until it counts as lost [s].
+        later_tasks: listed too, admitted by first sight. If no tasks are listed at all, every task is.
     """
 
     robots: Tuple[str, ...]
     tasks: Tuple[Task, ...]
     silence: float
+    later_tasks: Tuple[Task, ...] = ()
 
 
 class Team:
@@ -66,6 +69,8 @@ class Team:
     def __init__(self, setup: TeamSetup, emit: Callable[[Fact, str], None]) -> None:
         self._setup = setup
         self._emit = emit
+        self._later = {task.id: task for task in setup.later_tasks}
+        self._open = not (setup.tasks or setup.later_tasks)
         self._start = 0.0
         self.now = 0.0
         self.agenda = Agenda()
@@ -89,9 +94,12 @@ class Team:
         return robot
 
     def find_task(self, task_id: str) -> Optional[TaskWatch]:
-        """Give a task by its id, admitting it where no tasks were listed; None if it is not of the mission."""
+        """Give a task by its id, admitting one that is listed for later; None if it is not of the mission.
+
+        Where no tasks were listed at all, any is admitted.
+        """
         task = self.tasks.get(task_id)
-        if task is None and task_id and not self._setup.tasks:
+        if task is None and task_id and (self._open or task_id in self._later):
             task = self._admit_task(task_id)
         return task
 
@@ -206,8 +214,18 @@ class Team:
         if hold.expired is not None and outcome is not Outcome.LOST:
             time = hold.expired
         time = self.now if time is None else time
-        self.book.end(hold, time, outcome, signed)
+        self.book.end(hold, time, outcome, None if signed is None else (signed, self.now))
         self._emit(AllocationEnded(time, hold.robot, hold.task, hold.start, outcome, evidence(hold.last)), why)
+
+    def is_late(self, robot_id: str, task_id: str, stamp: float) -> bool:
+        """Tell by its header stamp [s] whether a message says what was so before an allocation was ended just now.
+
+        Args:
+            robot_id: who holds the task, as the message says.
+            task_id: what it holds.
+            stamp: 0 if the message has none [s].
+        """
+        return self.book.is_late(robot_id, task_id, stamp, self.now - self._setup.silence)
 
     def settle(self) -> None:
         """Say how the expired allocations ended whose robots were heard since."""
@@ -228,18 +246,18 @@ class Team:
 
     def robot_records(self, end: float) -> Tuple[RobotRecord, ...]:
         """Give all robots up to a time [s], in the application's order, then by first sight."""
-        return tuple(robot.record(end) for robot in self.robots.values())
+        return tuple(robot.record(end) for robot in shown(self.robots))
 
     def task_records(self, end: float) -> Tuple[TaskRecord, ...]:
         """Give all tasks up to a time [s], in the mission's order, then by first sight."""
-        return tuple(task.record(end) for task in self.tasks.values())
+        return tuple(task.record(end) for task in shown(self.tasks))
 
     def allocation_records(self, end: float) -> Tuple[Allocation, ...]:
         """Give all allocations up to a time [s], by start, then by the order in which they began."""
         return self.book.records(end)
 
     def fork(self, emit: Callable[[Fact, str], None]) -> Team:
-        """Copy the team, so that the copy can go on by itself.
+        """Copy the team, so that the copy can go on by itself while the original stands still.
 
         Args:
             emit: takes the facts that the copy derives.
@@ -247,13 +265,15 @@ class Team:
         twin = Team(self._setup, emit)
         twin._start, twin.now = self._start, self.now
         twin.agenda = self.agenda.fork()
-        twin.robots = {robot_id: robot.fork() for robot_id, robot in self.robots.items()}
-        twin.tasks = {task_id: task.fork() for task_id, task in self.tasks.items()}
+        twin.robots = Copies(self.robots)
+        twin.tasks = Copies(self.tasks)
         twin.book = self.book.fork()
         return twin
 
     def _admit_task(self, task_id: str) -> TaskWatch:
-        task = self.tasks[task_id] = TaskWatch(task_id, len(self.tasks), self.now)
+        listed = self._later.get(task_id)
+        robots = None if listed is None else listed.robots
+        task = self.tasks[task_id] = TaskWatch(task_id, len(self.tasks), self.now, robots)
         return task
 
     def _change_robot(self, robot: RobotWatch, after: RobotState, time: float) -> None:
