@@ -2,100 +2,89 @@
 
 from __future__ import annotations
 
-from typing import Any, List, Mapping, Optional, Sequence
+import sys
+from argparse import ArgumentParser, Namespace
+from typing import Any, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 
 from rqt_mrta_py.hooks import (
     AgentSetup,
+    AllocationProblem,
     AllocationSign,
     AllocationStarted,
     BehaviourSetup,
     BehaviourStep,
+    Benchmark,
+    BenchmarkTable,
     Command,
     Curve,
     CurveGroup,
     CurvePanel,
     Decision,
+    ExporterSetup,
     Fact,
     Heard,
     IncidentBoard,
     InterpreterSetup,
+    LinkSetup,
     MonitorView,
     Outgoing,
     PanelSetup,
     ParameterProblem,
     Perception,
     PlannerSetup,
-    RobotModel,
     RuleSetup,
     SensorContext,
     SensorMoment,
     SensorReading,
     Situation,
     Subscription,
+    Verb,
     hookimpl,
 )
 from rqt_mrta_py.model import (
-    ApplicationRobot,
-    ApplicationSpec,
-    ArchitectureSpec,
-    Arena,
     Event,
     Mission,
     MissionRecord,
-    MonitoredTopic,
     Outcome,
     Pose,
-    RobotSetup,
-    ScenarioSpec,
-    SensorSetup,
     Severity,
     Task,
-    Taxonomy,
     Twist,
 )
+from tests.hooks.garden import CLAIM, MILEAGE, MOLE
 from tests.sim.doubles import StillWorld
-
-MILEAGE = Subscription("mileage", "std_msgs/Float64", ("data",))
-MOLE = RobotModel("mole", "differential", 0.4, 0.3, 0.2, 0.25, 5.0, 0.05, 0.25, 0.7, 1.0, 0.1)
-CLAIM = MonitoredTopic("/@robot_id@/claim/@task_id@", "std_msgs/String", timeout=5.0)
-SCENARIO = ScenarioSpec(
-    arena=Arena(-3.0, -3.0, 3.0, 3.0),
-    obstacles=(),
-    robots=(RobotSetup("mole1", "mole", Pose(1.5, 0.0), (SensorSetup("odometer", "mileage", 10.0),)),),
-    world="burrow",
-    planner="tunnels",
-    control_rate=10,
-)
-MISSION = Mission(
-    application=ApplicationSpec("garden", "Garden", robots=(ApplicationRobot("mole1", ("dig",)),)),
-    architecture=ArchitectureSpec(
-        "stranger", "Stranger", Taxonomy.parse("ST-SR-IA"), busy_robots=(CLAIM,), widgets=("stranger/mileage",)
-    ),
-    tasks=(Task("dig", "digging"),),
-    scenario=SCENARIO,
-    seed=4,
-)
 
 
 class Agent:
-    """Claims what its evaluator lets through, says what it would cost, and gives up at 2 s of the stream's clock."""
+    """Claims what its allocator gives it, says what it would cost, and gives up at 2 s of the stream's clock.
+
+    The second mole only repeats the claims that it hears.
+    """
 
     rate = 10.0
 
     def __init__(self, setup: AgentSetup) -> None:
+        self.robot_id = setup.robot_id
+        self.tasks = setup.tasks
         self.evaluators = {task.id: setup.evaluators["stranger/after_a_while"](task) for task in setup.tasks}
+        self.allocator = setup.allocators["stranger/first_come"]
 
     def subscriptions(self) -> Sequence[Subscription]:
-        return ()
+        return () if self.robot_id == "mole1" else [Subscription("/mole1/claim/dig", "std_msgs/String", ("data",))]
 
     def step(self, situation: Situation) -> Decision:
+        if self.robot_id != "mole1":
+            return Decision(None, [Outgoing("echo", "std_msgs/String", heard.fields) for heard in situation.heard])
         if situation.now >= 2.0:
             return Decision(None, [Outgoing("farewell/dig", "std_msgs/String", {"data": "too hard"})])
         if not (situation.applicable["dig"] and self.evaluators["dig"].is_applicable(situation.now, ())):
             return Decision(None)
-        return Decision("dig", [Outgoing("claim/dig", "std_msgs/String", {"data": f"{situation.cost('dig')} m"})])
+        costs = np.array([[situation.cost(task.id) for task in self.tasks]], dtype=np.float64)
+        ((task_id, _),) = self.allocator(AllocationProblem((self.robot_id,), self.tasks, costs))
+        claim = {"data": f"{situation.cost(task_id)} m"}
+        return Decision(task_id, [Outgoing(f"claim/{task_id}", "std_msgs/String", claim)])
 
 
 class AfterAWhile:
@@ -107,18 +96,38 @@ class AfterAWhile:
 
 
 class Tunnels:
-    """Goes straight to where a mole wants to go."""
+    """Knows that a tunnel is twice as long as the way above it."""
 
     def __init__(self, setup: PlannerSetup) -> None:
-        self.setup = setup
+        self.goal = Pose(0.0, 0.0)
 
     def path(self, start: Pose, goal: Pose) -> Optional[Sequence[Pose]]:
         return (goal,)
+
+    def cost_field(self, goal: Pose) -> Tunnels:
+        return self
+
+    def at(self, place: Pose) -> Optional[float]:
+        return 2.0 * abs(place.x)
+
+    def observe(self, obstacles: Sequence[Any]) -> None:
+        pass
+
+
+class Earth:
+    """Lets nothing through for a while."""
+
+    def __init__(self, setup: LinkSetup) -> None:
+        self.until = 1.0 + setup.parameters["delay"]
+
+    def deliveries(self, sender: str, receiver: str, now: float) -> Sequence[float]:
+        return [0.0] if now >= self.until else []
 
 
 class Digging:
     def __init__(self, setup: BehaviourSetup) -> None:
         self.model = setup.model
+        self.way = setup.navigator.cost_field(Pose(0.0, 0.0))
 
     def subscriptions(self) -> Sequence[Subscription]:
         return [MILEAGE]
@@ -128,7 +137,7 @@ class Digging:
 
     def cost(self, task: Task, perception: Perception) -> Optional[float]:
         heard = perception.newest("mileage")
-        return None if heard is None else float(heard.fields["data"])
+        return None if heard is None else self.way.at(Pose(heard.fields["data"], 0.0))
 
     def start(self, task: Task, perception: Perception) -> None:
         pass
@@ -195,12 +204,56 @@ class MileagePanel:
         return CurvePanel("Mileage", "m", 3.0, None, (CurveGroup("mole1", (Curve("mileage", times, values),)),))
 
 
+class Ledger:
+    """Writes down who did what, and how far it was said to be."""
+
+    def __init__(self, setup: ExporterSetup) -> None:
+        self.lines: List[str] = []
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        return [Subscription(CLAIM.name, CLAIM.type, ("data",))]
+
+    def hear(self, heard: Heard) -> None:
+        self.lines = [f"{heard.robot} {heard.task} {heard.fields['data']}"]
+
+    def export(self, record: MissionRecord) -> Mapping[str, bytes]:
+        return {"ledger.txt": "\n".join([*self.lines, f"{len(record.allocations)} in all"]).encode("utf-8")}
+
+
+class Neighbour:
+    """Overhears the mileage."""
+
+    def __init__(self, overheard: List[Heard]) -> None:
+        self.overheard = overheard
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        return [Subscription("/@robot_id@/mileage", "std_msgs/Float64", ("data",))]
+
+    def hear(self, heard: Heard) -> None:
+        self.overheard.append(heard)
+
+
+def first_come(problem: AllocationProblem) -> Sequence[Tuple[str, str]]:
+    return [(task.id, robot) for task, robot in zip(problem.tasks, problem.robots)]
+
+
+def _depth(parser: ArgumentParser) -> None:
+    parser.add_argument("--depth", type=float, default=1.0)
+
+
+def _dig(options: Namespace) -> int:
+    sys.stdout.write(f"dug {options.depth} m\n")
+    return 1
+
+
 class Stranger:
-    """The plugin; keeps what its observers, world and renderer got to see."""
+    """The plugin; keeps what its observers, world, allocator and renderer got to see."""
 
     def __init__(self) -> None:
         self.world = StillWorld()
         self.views: List[MonitorView] = []
+        self.problems: List[AllocationProblem] = []
+        self.overheard: List[Heard] = []
         self.missions: List[Mission] = []
         self.events: List[Event] = []
         self.records: List[MissionRecord] = []
@@ -220,6 +273,37 @@ class Stranger:
     @hookimpl
     def mrta_register_sensory_evaluators(self) -> Mapping[str, Any]:
         return {"stranger/after_a_while": AfterAWhile}
+
+    @hookimpl
+    def mrta_register_allocators(self) -> Mapping[str, Any]:
+        def allocate(problem: AllocationProblem) -> Sequence[Tuple[str, str]]:
+            self.problems.append(problem)
+            return first_come(problem)
+
+        return {"stranger/first_come": allocate}
+
+    @hookimpl
+    def mrta_register_links(self) -> Mapping[str, Any]:
+        return {"earth": Earth}
+
+    @hookimpl
+    def mrta_register_exporters(self) -> Mapping[str, Any]:
+        return {"ledger": Ledger}
+
+    @hookimpl
+    def mrta_register_message_observers(self) -> Mapping[str, Any]:
+        return {"neighbour": lambda setup: Neighbour(self.overheard)}
+
+    @hookimpl
+    def mrta_register_verbs(self) -> Mapping[str, Any]:
+        return {"dig-deeper": Verb("Dig on.", _depth, _dig)}
+
+    @hookimpl
+    def mrta_register_benchmarks(self) -> Mapping[str, Any]:
+        def measure(options: Namespace) -> BenchmarkTable:
+            return BenchmarkTable("Holes", ("depth [m]",), ((options.depth,),))
+
+        return {"holes": Benchmark("holes dug", _depth, measure)}
 
     @hookimpl
     def mrta_register_planners(self) -> Mapping[str, Any]:

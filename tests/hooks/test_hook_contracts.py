@@ -7,12 +7,15 @@ from typing import Any, List, NamedTuple
 
 import pytest
 
+from rqt_mrta_py.app.cli.main import main
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.embedded import EmbeddedRun
+from rqt_mrta_py.app.exports import exporters_for
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs import OutputFolder
 from rqt_mrta_py.app.picture_files import PictureFiles
 from rqt_mrta_py.app.pictures import PictureSchedule
+from rqt_mrta_py.app.plugin_catalogue import hook_entries, plugin_entries
 from rqt_mrta_py.app.watch import WatchPlan, open_watch
 from rqt_mrta_py.config import discover, load_mission
 from rqt_mrta_py.errors import ConfigError
@@ -21,7 +24,8 @@ from rqt_mrta_py.hooks.contract import HOOKS
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import MissionRecord, Twist
 from rqt_mrta_py.transport import read_bag
-from tests.hooks.stranger import MISSION, MOLE, Stranger
+from tests.hooks.garden import MISSION, MOLE
+from tests.hooks.stranger import Stranger
 
 
 class Story(NamedTuple):
@@ -32,6 +36,7 @@ class Story(NamedTuple):
     heard: List[Any]
     record: MissionRecord
     pictures: List[Path]
+    folder: Path
 
 
 @pytest.fixture(scope="module")
@@ -43,10 +48,12 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
     codec = host.codec()
     folder = OutputFolder(tmp_path_factory.mktemp("out"))
     monitor = folder.monitor(wanted=True)
-    observation = Observation(MISSION, codec, manager, 1.5)
+    assert monitor is not None
+    exporters = exporters_for(MISSION, ["ledger"], manager)
+    observation = Observation(MISSION, codec, manager, 1.5, tuple(exporters.values()))
     run = EmbeddedRun(MISSION, 1.5, codec, manager)
     pictures = PictureSchedule(host.renderer("monitor"), 5, 10, PictureFiles(monitor))
-    plan = WatchPlan(observation, folder, run.clock, run.last_tick, False, pictures, None, {}, manager.patience)
+    plan = WatchPlan(observation, folder, run.clock, run.last_tick, False, pictures, None, exporters, manager.patience)
     with open_watch(plan, run.bus) as watch:
         run.attach(watch)
         for tick in range(run.last_tick + 1):
@@ -55,7 +62,17 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
     run.close()
     stream = list(read_bag(folder.path / "mission.bag"))
     heard = [(each.connection.topic, codec.decode(each.connection, each.raw)) for each in stream]
-    return Story(stranger, stream, heard, record, sorted(monitor.iterdir()))
+    return Story(stranger, stream, heard, record, sorted(monitor.iterdir()), folder.path)
+
+
+@pytest.fixture
+def host(monkeypatch: pytest.MonkeyPatch) -> Host:
+    """Let the command know the stranger's plugin alone."""
+    manager = PluginManager()
+    manager.register(Stranger(), "stranger")
+    host = Host(discover({}, prefix="/nowhere", shares=(), distributions=()), manager, [])
+    monkeypatch.setattr("rqt_mrta_py.app.compose.compose", lambda: host)
+    return host
 
 
 def said(story: Story, topic: str) -> List[Any]:
@@ -80,7 +97,7 @@ def test_hook_mrta_register_allocation_interpreters_says_how_an_allocation_ended
 
 
 def test_hook_mrta_register_behaviours_carries_out_its_kind_and_tells_the_cost(story: Story) -> None:
-    assert [fields["data"] for fields in said(story, "/mole1/claim/dig")] == ["1.5 m"] * 5
+    assert [fields["data"] for fields in said(story, "/mole1/claim/dig")] == ["3.0 m"] * 5
     driven = [fields["linear"]["x"] for fields in said(story, "/mole1/cmd_vel")]
     assert max(driven) == MOLE.max_speed
 
@@ -90,17 +107,36 @@ def test_hook_mrta_register_sensory_evaluators_is_asked_by_the_agent(story: Stor
     assert claims[0].receipt_ns == 1_500_000_000
 
 
+def test_hook_mrta_register_allocators_is_asked_by_the_agent_and_obeyed(story: Story) -> None:
+    problems = story.stranger.problems
+    assert [(each.robots, each.tasks, each.costs.tolist()) for each in problems] == [
+        (("mole1",), MISSION.tasks, [[3.0]])
+    ] * 5
+    assert len(said(story, "/mole1/claim/dig")) == 5
+
+
+def test_hook_mrta_register_planners_finds_ways_for_behaviours(story: Story) -> None:
+    """The way straight to the task is 1.5 m long; the stranger's is twice that."""
+    assert {fields["data"] for fields in said(story, "/mole1/claim/dig")} == {"3.0 m"}
+
+
+def test_hook_mrta_register_links_decides_what_robots_hear_of_others(story: Story) -> None:
+    """Claims are said at 1.5, 1.6, ... 1.9 s; the radio opens at 1.65 s."""
+    assert len(said(story, "/mole1/claim/dig")) == 5
+    assert [fields["data"] for fields in said(story, "/mole2/echo")] == ["3.0 m"] * 3
+
+
 def test_hook_mrta_register_worlds_is_stepped_and_commanded(story: Story) -> None:
     world = story.stranger.world
     assert world.setup is not None
     assert (world.setup.tick, world.steps, world.closed) == (0.1, 16, 1)
-    assert world.commands == {"mole1": Twist()}
+    assert world.commands == {"mole1": Twist(), "mole2": Twist()}
 
 
 def test_hook_mrta_register_robot_models_says_what_is_built(story: Story) -> None:
     setup = story.stranger.world.setup
     assert setup is not None
-    assert [robot.model for robot in setup.robots] == [MOLE]
+    assert [robot.model for robot in setup.robots] == [MOLE, MOLE]
 
 
 def test_hook_mrta_register_sensors_publishes_in_the_namespace_of_its_robot(story: Story) -> None:
@@ -127,6 +163,32 @@ def test_hook_mrta_register_renderers_draws_every_period(story: Story) -> None:
     assert [view.now for view in story.stranger.views] == [1.0, 1.5, 2.0, 2.5]
     assert len(story.pictures) == 4
     assert len(said(story, "/mrta/monitor/compressed")) == 4
+
+
+def test_hook_mrta_register_exporters_leaves_the_files_that_are_asked_for(story: Story) -> None:
+    assert (story.folder / "export" / "ledger" / "ledger.txt").read_text() == "mole1 dig 3.0 m\n1 in all"
+
+
+def test_hook_mrta_register_message_observers_hears_the_stream(story: Story) -> None:
+    assert [heard.fields["data"] for heard in story.stranger.overheard] == [1.5] * 16
+    assert {heard.robot for heard in story.stranger.overheard} == {"mole1"}
+
+
+def test_hook_mrta_register_verbs_adds_to_the_command(host: Host, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["dig-deeper", "--depth", "2"]) == 1
+    assert capsys.readouterr().out == "dug 2.0 m\n"
+
+
+def test_hook_mrta_register_benchmarks_is_measured(host: Host, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["bench", "holes", "--depth", "2"]) == 0
+    assert capsys.readouterr().out == "Holes\n\ndepth [m]\n2\n"
+
+
+@pytest.mark.parametrize("hook", HOOKS)
+def test_every_hook_is_used_by_a_plugin_of_this_project(hook: str) -> None:
+    """Read from the sources, without importing them."""
+    own = discover({}, prefix="/nowhere", shares=(), distributions=())
+    assert hook_entries(plugin_entries(own, ()))[hook] != []
 
 
 def test_hook_mrta_check_parameters_refuses_a_value_where_it_was_set(root: Path) -> None:

@@ -8,7 +8,7 @@ import signal
 import threading
 import time
 from types import ModuleType
-from typing import Any, Callable, List, Mapping
+from typing import Any, List
 
 import pytest
 
@@ -166,7 +166,7 @@ class Slow:
         self.called: List[str] = []
 
     @hookimpl
-    def mrta_register_agents(self) -> Mapping[str, Callable[..., Any]]:
+    def mrta_register_agents(self) -> Any:
         return self.answer("agents", {"slow": print})
 
     @hookimpl
