@@ -32,5 +32,6 @@ class Copies(Dict[str, _Watch]):
 def shown(watches: Dict[str, _Watch]) -> Iterable[_Watch]:
     """Give watches in their order; of copies the originals where nothing was touched."""
     if isinstance(watches, Copies):
-        return (watches.get(watch_id, original) for watch_id, original in watches.originals.items())
+        originals: Mapping[str, _Watch] = watches.originals
+        return [watches[each] if each in watches else original for each, original in originals.items()]
     return watches.values()
