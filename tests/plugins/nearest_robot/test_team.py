@@ -113,7 +113,7 @@ def test_operator_gives_a_task_to_another_robot_and_it_stays_there() -> None:
     team = team_of({"a": {"t": 1.0}, "b": {"t": 50.0}}, [T])
     team.step(2)
     team.tell(TaskReport("t", Progress.REASSIGNED, robot="b"))
-    assert team.step(2) == {"a": None, "b": "t"}
+    assert team.step() == {"a": None, "b": "t"}
     assert team.step(50) == {"a": None, "b": "t"}
 
 
@@ -121,9 +121,20 @@ def test_operator_may_change_his_mind() -> None:
     team = team_of({"a": {"t": 1.0, "u": 9.0}, "b": {"t": 50.0, "u": 50.0}}, [T, U])
     team.step(2)
     team.tell(TaskReport("t", Progress.REASSIGNED, robot="b"))
-    assert team.step(3) == {"a": "u", "b": "t"}
+    assert team.step() == {"a": "u", "b": "t"}
+    assert team.step(9) == {"a": "u", "b": "t"}
     team.tell(TaskReport("t", Progress.REASSIGNED, robot="a"))
-    assert team.step(3) == {"a": "t", "b": "u"}
+    assert team.step() == {"a": "t", "b": "u"}
+    assert team.step(9) == {"a": "t", "b": "u"}
+
+
+def test_robot_that_missed_an_order_follows_the_bid_of_whom_it_names() -> None:
+    team = team_of({"a": {"t": 1.0}, "b": {"t": 50.0}}, [T])
+    team.step(2)
+    team.reports["b"].append(TaskReport("t", Progress.REASSIGNED, robot="b"))
+    team.step()
+    assert team.step() == {"a": None, "b": "t"}
+    assert team.step(20) == {"a": None, "b": "t"}
 
 
 def test_order_to_a_robot_that_is_silent_holds_up_nobody() -> None:

@@ -87,6 +87,7 @@ class NearestRobotAgent:
                 self._tasks[task] = report.definition
         elif report.progress is Progress.REASSIGNED:
             self._revoke(task)
+            self._listening.order(task, report.robot)
             if report.robot == self._robot_id:
                 self._ordered = task
                 self._unreachable_until.pop(task, None)

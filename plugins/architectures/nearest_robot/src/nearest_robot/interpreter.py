@@ -11,7 +11,7 @@ from rqt_mrta_py.model import Outcome
 __all__ = ["NearestRobotInterpreter"]
 
 # As long as one bid keeps a robot idle in rqt_mrta.xml.
-_BIDS_COUNT_FOR = 2.0
+_BIDS_COUNT_FOR = 1.0
 
 
 class NearestRobotInterpreter:
@@ -53,11 +53,12 @@ class NearestRobotInterpreter:
             for robot, (receipt, other) in self._newest.items()
             if robot != bid.robot and task in other.offers and now - receipt <= _BIDS_COUNT_FOR
         ]
+        free = [rival for rival in rivals if self._newest[rival[1]][1].holding in ("", task)]
         ordered = sorted(robot for _, robot in rivals if self._newest[robot][1].ordered == task)
         if ordered:
             return Outcome.PREEMPTED, f"{ordered[0]} was ordered to it"
-        if rivals and min(rivals)[0] < bid.offers[task].cost:
-            return Outcome.YIELDED, f"it costs {min(rivals)[1]} less"
+        if free and min(free)[0] < bid.offers[task].cost:
+            return Outcome.YIELDED, f"it costs {min(free)[1]} less"
         if bid.holding:
             return Outcome.PREEMPTED, f"takes {bid.holding}"
         return Outcome.GAVE_UP, "without a reason"

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import logging
-from typing import Dict, Iterable, List, Sequence, Set, Tuple
+from dataclasses import replace
+from typing import Dict, Iterable, List, Optional, Sequence, Set, Tuple
 
 from nearest_robot.bids import Bid, read_bid
 from rqt_mrta_py.hooks import Heard
@@ -47,6 +48,19 @@ class Listening:
     def remember(self, bid: Bid, time: float) -> None:
         """Make a bid the newest of its robot, told or received at a time [s]."""
         self._newest[bid.robot] = (time, bid)
+
+    def order(self, task: str, robot: Optional[str]) -> None:
+        """Count a task as ordered to one robot and to no other, as their next bids will say themselves.
+
+        Args:
+            task: its id.
+            robot: id of who shall carry it out; None for nobody.
+        """
+        for other, (time, bid) in self._newest.items():
+            if other == robot:
+                self._newest[other] = (time, replace(bid, ordered=task))
+            elif bid.ordered == task:
+                self._newest[other] = (time, replace(bid, ordered=""))
 
     def fresh(self, now: float) -> List[Bid]:
         """List the newest bids that count at a time [s], in the team's order, strangers after it by id."""
