@@ -17,7 +17,9 @@ __all__ = ["Collisions"]
 
 _ROUNDS = 8
 _LEAST_DEPTH = 1e-6
-"""Overlaps that are smaller are rounding [m]."""
+"""What is less deep in something fixed is so by rounding [m]."""
+_LEAST_DEPTH_AMONG = 1e-3
+"""Moving things that overlap less are left as they are [m]."""
 _MOST_DEPTH_IN_FIXED = 1e-4
 """What is deeper than this in a wall or an obstacle goes back to where it was [m]."""
 _TOUCH = 1e-3
@@ -55,7 +57,7 @@ class Collisions:
         mobility = crowd.mobility()
         backs = np.zeros((2, mobility.size))
         for _ in range(_ROUNDS):
-            among = self._moving.find(_LEAST_DEPTH)
+            among = self._moving.find(_LEAST_DEPTH_AMONG)
             if among.first.size:
                 self._part(among, mobility, backs)
             inside = self.fixed.find(_LEAST_DEPTH)
@@ -116,8 +118,10 @@ class Collisions:
             return
         after = crowd.poses.copy()
         crowd.poses[:] = before
+        crowd.note_turns()
         deeper = (now > _MOST_DEPTH_IN_FIXED) & (now > self._depth_in_fixed(mobility.size)) & (mobility > 0.0)
         crowd.poses[:] = np.where(deeper[crowd.carrier], before, after)
+        crowd.note_turns()
 
     def _depth_in_fixed(self, things: int) -> Floats:
         """Give for each mover how deep it or what it carries is in something fixed [m]."""

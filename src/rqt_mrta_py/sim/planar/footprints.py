@@ -14,10 +14,10 @@ import numpy as np
 
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import Body, RobotModel
-from rqt_mrta_py.model import Obstacle
-from rqt_mrta_py.sim.planar.cells import Floats, Rows
+from rqt_mrta_py.model import Obstacle, Pose
+from rqt_mrta_py.sim.planar.cells import Floats
 
-__all__ = ["Footprints", "body_footprint", "obstacle_footprints", "robot_footprints"]
+__all__ = ["Footprints", "Placed", "body_footprint", "columns_of_poses", "placed_obstacles", "robot_footprints"]
 
 _Vector = Tuple[float, float]
 _NOTHING: _Vector = (0.0, 0.0)
@@ -41,6 +41,11 @@ class Footprints(NamedTuple):
     low: Floats
     high: Floats
 
+    @property
+    def widest(self) -> float:
+        """The largest radius, 0 without things [m]."""
+        return float(self.radius.max()) if self.radius.size else 0.0
+
     def joined(self, more: Footprints) -> Footprints:
         """Give these and more behind them."""
         return Footprints(*(np.concatenate(fields, axis=-1) for fields in zip(self, more)))
@@ -49,11 +54,25 @@ class Footprints(NamedTuple):
         """Give all but one."""
         return Footprints(*(np.delete(field, row, axis=-1) for field in self))
 
-    def turned(self, rows: Rows, yaw: Floats) -> Floats:
-        """Give the half edges of some, turned by their yaws [rad]: [m], shape (2, 3, rows)."""
-        x, y = self.half_edges[:, :, rows]
+    def turned(self, yaw: Floats) -> Floats:
+        """Give the half edges in the frame in which the things have these yaws [rad]: [m], shape (2, 3, things)."""
+        x, y = self.half_edges
         cos, sin = np.cos(yaw), np.sin(yaw)
         return np.stack((cos * x - sin * y, sin * x + cos * y))
+
+
+class Placed(NamedTuple):
+    """Footprints and where they are.
+
+    Attributes:
+        footprints: of some things.
+        poses: x, y [m] and yaw [rad] in the frame ``map``, shape (3, things).
+        half_edges: turned as the things are [m], shape (2, 3, things).
+    """
+
+    footprints: Footprints
+    poses: Floats
+    half_edges: Floats
 
 
 class _Shape(NamedTuple):
@@ -72,13 +91,21 @@ def robot_footprints(models: Sequence[RobotModel]) -> Footprints:
     return _stack([_robot(model) for model in models])
 
 
-def obstacle_footprints(obstacles: Sequence[Obstacle]) -> Footprints:
-    """Give the shapes of obstacles.
+def placed_obstacles(obstacles: Sequence[Obstacle]) -> Placed:
+    """Give obstacles their shapes.
 
     Raises:
         SimError: one has a shape that cannot be built.
     """
-    return _stack([_obstacle(obstacle) for obstacle in obstacles])
+    footprints = _stack([_obstacle(obstacle) for obstacle in obstacles])
+    poses = columns_of_poses([obstacle.pose for obstacle in obstacles])
+    return Placed(footprints, poses, footprints.turned(poses[2]))
+
+
+def columns_of_poses(poses: Sequence[Pose]) -> Floats:
+    """Give poses as an array of x, y [m] and yaw [rad], shape (3, poses)."""
+    rows = [(pose.x, pose.y, pose.yaw) for pose in poses]
+    return np.array(rows, dtype=np.float64).reshape(-1, 3).transpose().copy()
 
 
 def body_footprint(body: Body) -> Footprints:

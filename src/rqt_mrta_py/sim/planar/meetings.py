@@ -9,7 +9,7 @@ import numpy as np
 from rqt_mrta_py.model import Arena, Obstacle
 from rqt_mrta_py.sim.planar.cells import Cells, Floats, Rows
 from rqt_mrta_py.sim.planar.crowd import Crowd
-from rqt_mrta_py.sim.planar.footprints import Footprints, obstacle_footprints
+from rqt_mrta_py.sim.planar.footprints import Placed, placed_obstacles
 from rqt_mrta_py.sim.planar.overlap import overlap
 
 __all__ = ["FixedMeetings", "Meetings", "MovingMeetings"]
@@ -45,18 +45,19 @@ class MovingMeetings:
         crowd, kept = self._crowd, self._kept
         if kept.is_stale(crowd):
             x, y, _ = crowd.poses
-            shapes = crowd.footprints
-            widest = float(shapes.radius.max()) if shapes.radius.size else 0.0
-            first, second = Cells(x, y).near(x, y, 2 * widest + _FORESIGHT)
+            first, second = Cells(x, y).near(x, y, 2 * crowd.footprints.widest + _FORESIGHT)
             differ = (first < second) & (crowd.carrier[first] != crowd.carrier[second])
-            kept.keep(crowd, shapes, crowd.poses, first[differ], second[differ])
-        return _closely(crowd, crowd.footprints, crowd.poses, kept, least_depth)
+            kept.keep(crowd, crowd.placed(), first[differ], second[differ])
+        return _closely(crowd, kept, crowd.placed(), least_depth)
 
 
 class FixedMeetings:
     """Meetings of a crowd's things with obstacles and walls.
 
     The second of a meeting is the obstacle's number, or the number of obstacles for a wall.
+
+    Attributes:
+        obstacles: where they are.
 
     Args:
         crowd: what moves.
@@ -70,10 +71,8 @@ class FixedMeetings:
     def __init__(self, crowd: Crowd, arena: Arena, obstacles: Sequence[Obstacle]) -> None:
         self._crowd = crowd
         self._arena = arena
-        self.footprints = obstacle_footprints(obstacles)
-        places = [(obstacle.pose.x, obstacle.pose.y, obstacle.pose.yaw) for obstacle in obstacles]
-        self.poses: Floats = np.array(places, dtype=np.float64).reshape(-1, 3).transpose().copy()
-        self._cells = Cells(self.poses[0], self.poses[1])
+        self.obstacles: Placed = placed_obstacles(obstacles)
+        self._cells = Cells(self.obstacles.poses[0], self.obstacles.poses[1])
         self._kept = _Kept()
 
     def find(self, least_depth: float) -> Meetings:
@@ -81,32 +80,30 @@ class FixedMeetings:
         crowd, kept = self._crowd, self._kept
         if kept.is_stale(crowd):
             x, y, _ = crowd.poses
-            radii = (crowd.footprints.radius, self.footprints.radius)
-            reach = sum(float(radius.max()) for radius in radii if radius.size) + _FORESIGHT
-            kept.keep(crowd, self.footprints, self.poses, *self._cells.near(x, y, reach))
+            reach = crowd.footprints.widest + self.obstacles.footprints.widest + _FORESIGHT
+            kept.keep(crowd, self.obstacles, *self._cells.near(x, y, reach))
+        with_obstacles = _closely(crowd, kept, self.obstacles, least_depth)
         with_walls = self._with_walls(least_depth)
-        with_obstacles = _closely(crowd, self.footprints, self.poses, kept, least_depth)
-        if not with_walls.first.size:
-            return with_obstacles
-        return Meetings(*(np.concatenate(fields, axis=-1) for fields in zip(with_walls, with_obstacles)))
+        return _together(with_walls, with_obstacles)
 
     def _with_walls(self, least_depth: float) -> Meetings:
         """Find what reaches beyond the inner face of a wall, whatever lies behind that."""
         crowd, arena = self._crowd, self._arena
-        x, y, yaw = crowd.poses
-        shapes = crowd.footprints
-        room = np.stack((x - arena.min_x, arena.max_x - x, y - arena.min_y, arena.max_y - y))
-        is_near = (room < shapes.radius - least_depth) & (shapes.low < arena.wall_height)
-        side, row = np.nonzero(is_near)
-        edges = np.abs(shapes.turned(row, yaw[row])).sum(axis=1)
-        depth = np.where(side < 2, edges[0], edges[1]) - room[side, row]
-        is_in = depth > least_depth
-        away = np.array(((1.0, -1.0, 0.0, 0.0), (0.0, 0.0, 1.0, -1.0)))[:, side[is_in]]
-        return Meetings(row[is_in], np.full(int(is_in.sum()), self.poses.shape[1]), depth[is_in], away)
+        x, y, _ = crowd.poses
+        is_low = crowd.footprints.low < arena.wall_height
+        found = []
+        for axis, (place, low, high) in enumerate(((x, arena.min_x, arena.max_x), (y, arena.min_y, arena.max_y))):
+            off_centre = place - (low + high) / 2
+            depth = np.abs(off_centre) + np.abs(crowd.half_edges[axis]).sum(axis=0) - (high - low) / 2
+            row = np.flatnonzero((depth > least_depth) & is_low)
+            away = np.zeros((2, row.size))
+            away[axis] = np.where(off_centre[row] > 0.0, -1.0, 1.0)
+            found.append(Meetings(row, np.full(row.size, self.obstacles.poses.shape[1]), depth[row], away))
+        return _together(*found)
 
 
 class _Kept:
-    """Pairs that may meet, with what of them does not change."""
+    """Pairs of a crowd's things and others that may meet."""
 
     def __init__(self) -> None:
         self.first: Rows = np.empty(0, dtype=np.intp)
@@ -120,15 +117,15 @@ class _Kept:
         if self._lineup != crowd.lineup:
             return True
         x, y, _ = crowd.poses - self._poses
-        return bool(((x * x + y * y) > (_FORESIGHT / 2) ** 2).any())
+        return bool((x * x + y * y > (_FORESIGHT / 2) ** 2).any())
 
-    def keep(self, crowd: Crowd, others: Footprints, poses: Floats, first: Rows, second: Rows) -> None:
+    def keep(self, crowd: Crowd, others: Placed, first: Rows, second: Rows) -> None:
         """Keep those of some pairs that may meet soon, in a defined order."""
-        shapes = crowd.footprints
-        x, y, _ = crowd.poses[:, first] - poses[:, second]
-        radii = shapes.radius[first] + others.radius[second]
+        shapes, other_shapes = crowd.footprints, others.footprints
+        x, y, _ = crowd.poses[:, first] - others.poses[:, second]
+        radii = shapes.radius[first] + other_shapes.radius[second]
         may_meet = x * x + y * y < (radii + _FORESIGHT) ** 2
-        may_meet &= (shapes.low[first] < others.high[second]) & (others.low[second] < shapes.high[first])
+        may_meet &= (shapes.low[first] < other_shapes.high[second]) & (other_shapes.low[second] < shapes.high[first])
         first, second, radii = first[may_meet], second[may_meet], radii[may_meet]
         order = np.lexsort((second, first))
         self.first, self.second, self.radii = first[order], second[order], radii[order]
@@ -136,18 +133,22 @@ class _Kept:
         self._lineup = crowd.lineup
 
 
-def _closely(crowd: Crowd, others: Footprints, poses: Floats, kept: _Kept, least_depth: float) -> Meetings:
-    """Measure the pairs that were kept, things of a crowd and others."""
-    x, y, _ = poses[:, kept.second] - crowd.poses[:, kept.first]
-    is_near = x * x + y * y < (kept.radii - least_depth) ** 2
-    first, second = kept.first[is_near], kept.second[is_near]
-    if not first.size:
+def _closely(crowd: Crowd, kept: _Kept, others: Placed, least_depth: float) -> Meetings:
+    """Measure the pairs that were kept."""
+    x, y, _ = others.poses[:, kept.second] - crowd.poses[:, kept.first]
+    near = np.flatnonzero(x * x + y * y < (kept.radii - least_depth) ** 2)
+    first, second = kept.first[near], kept.second[near]
+    if not near.size:
         return Meetings(first, second, np.empty(0), np.empty((2, 0)))
-    depth, away = overlap(
-        np.stack((x[is_near], y[is_near])),
-        crowd.footprints.turned(first, crowd.poses[2, first]),
-        others.turned(second, poses[2, second]),
-        others.rounding[second],
-    )
-    is_in = depth > least_depth
-    return Meetings(first[is_in], second[is_in], depth[is_in], away[:, is_in])
+    apart = np.stack((x[near], y[near]))
+    rounding = others.footprints.rounding[second]
+    depth, away = overlap(apart, crowd.half_edges[:, :, first], others.half_edges[:, :, second], rounding)
+    found = np.flatnonzero(depth > least_depth)
+    return Meetings(first[found], second[found], depth[found], away[:, found])
+
+
+def _together(one: Meetings, other: Meetings) -> Meetings:
+    """Give both, one after the other."""
+    if not one.first.size or not other.first.size:
+        return one if one.first.size else other
+    return Meetings(*(np.concatenate(fields, axis=-1) for fields in zip(one, other)))

@@ -15,10 +15,8 @@ from rqt_mrta_py.sim.planar.cells import Floats
 
 __all__ = ["overlap"]
 
-_SIGNS: Tuple[Tuple[float, float, float], ...] = tuple(
-    (a, b, c) for a in (1.0, -1.0) for b in (1.0, -1.0) for c in (1.0, -1.0)
-)
-"""A corner of a polygon lies at the sum of its three half edges with one of these; the others are inside."""
+_CORNERS = tuple((a, b, c) for a in (1.0, -1.0) for b in (1.0, -1.0) for c in (1.0, -1.0))
+"""A corner of a polygon lies at the sum of its three half edges with one of these signs; not all such sums are one."""
 
 
 def overlap(apart: Floats, first: Floats, second: Floats, rounding: Floats) -> Tuple[Floats, Floats]:
@@ -35,25 +33,27 @@ def overlap(apart: Floats, first: Floats, second: Floats, rounding: Floats) -> T
         given too small, never too large. And the unit vectors along which the first comes apart from the second by
         that depth, shape (2, pairs).
     """
-    edges = np.concatenate((first, second), axis=1)
-    across = np.stack((-edges[1], edges[0]))
+    edges_x, edges_y = np.concatenate((first, second), axis=1)
+    across_x, across_y = -edges_y, edges_x
     if rounding.any():
-        across = np.concatenate((across, _from_nearest_corner(apart, first)), axis=1)
-    length = np.hypot(across[0], across[1])
-    nx, ny = across / np.where(length > 0.0, length, 1.0)
-    reach = (np.abs(edges[0][:, None] * nx + edges[1][:, None] * ny)).sum(axis=0) + rounding
-    along = apart[0] * nx + apart[1] * ny
-    depth = np.where(length > 0.0, reach - np.abs(along), np.inf)
-    best = np.argmin(depth, axis=0)[None]
-    nx, ny, along, depth = (np.take_along_axis(field, best, axis=0)[0] for field in (nx, ny, along, depth))
-    away = np.where(along > 0.0, -1.0, 1.0)
-    return depth, np.stack((away * nx, away * ny))
+        x, y = _from_nearest_corner(apart, first)
+        across_x, across_y = np.concatenate((across_x, x)), np.concatenate((across_y, y))
+    length = np.hypot(across_x, across_y)
+    is_axis = length > 0.0
+    length[~is_axis] = 1.0
+    across_x, across_y = across_x / length, across_y / length
+    reach = np.abs(edges_x[:, None] * across_x + edges_y[:, None] * across_y).sum(axis=0)
+    along = apart[0] * across_x + apart[1] * across_y
+    depths = np.where(is_axis, reach - np.abs(along), np.inf)
+    chosen = (np.argmin(depths, axis=0), np.arange(rounding.size))
+    away = np.where(along[chosen] > 0.0, -1.0, 1.0)
+    return depths[chosen] + rounding, np.stack((away * across_x[chosen], away * across_y[chosen]))
 
 
 def _from_nearest_corner(apart: Floats, first: Floats) -> Floats:
     """Give the vectors from the first's corners nearest to the second's centre to that centre, shape (2, 1, pairs)."""
-    x, y = (
-        np.stack([apart[axis] - (a * e[0] + b * e[1] + c * e[2]) for a, b, c in _SIGNS]) for axis, e in enumerate(first)
-    )
-    nearest = np.argmin(x * x + y * y, axis=0)[None]
-    return np.stack((np.take_along_axis(x, nearest, axis=0), np.take_along_axis(y, nearest, axis=0)))
+    signs = np.array(_CORNERS)[:, :, None]
+    x = apart[0] - (signs * first[0]).sum(axis=1)
+    y = apart[1] - (signs * first[1]).sum(axis=1)
+    chosen = (np.argmin(x * x + y * y, axis=0), np.arange(x.shape[1]))
+    return np.stack((x[chosen], y[chosen]))[:, None]

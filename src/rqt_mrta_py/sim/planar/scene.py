@@ -41,9 +41,8 @@ class Scene:
         taken = [WALL, *(obstacle.id for obstacle in setup.obstacles), *(robot.id for robot in setup.robots)]
         self.bodies = LooseBodies(self.crowd, taken)
         self.collisions = Collisions(self.crowd, setup.arena, setup.obstacles)
-        fixed = self.collisions.fixed
         sensor_heights = [model.sensor_height for model in models]
-        self.sight = Sight(self.crowd, sensor_heights, setup.arena, fixed.footprints, fixed.poses)
+        self.sight = Sight(self.crowd, sensor_heights, setup.arena, self.collisions.fixed.obstacles)
         self._tick = setup.tick
         self._travel = setup.tick * max((m.max_speed + m.max_turn_rate * m.radius for m in models), default=0.0)
         self._thinnest_robot = min((min(m.length, m.width) for m in models), default=math.inf)
@@ -56,6 +55,7 @@ class Scene:
             before = crowd.poses.copy()
             self.drive.advance(crowd.poses[:, : crowd.robots], crowd.is_frozen, self._tick / parts)
             crowd.carry()
+            crowd.note_turns()
             self.collisions.resolve(before)
         self.sight.forget()
 

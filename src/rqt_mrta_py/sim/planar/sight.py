@@ -13,7 +13,7 @@ import numpy as np
 from rqt_mrta_py.model import Arena
 from rqt_mrta_py.sim.planar.cells import Cells, Floats, Rows, counting
 from rqt_mrta_py.sim.planar.crowd import Crowd
-from rqt_mrta_py.sim.planar.footprints import Footprints
+from rqt_mrta_py.sim.planar.footprints import Placed
 
 __all__ = ["Sight"]
 
@@ -31,17 +31,14 @@ class Sight:
         crowd: who looks and is seen.
         sensor_heights: of the planes of the robots' range finders [m].
         arena: its walls.
-        footprints: of the obstacles.
-        poses: of the obstacles, shape (3, obstacles).
+        obstacles: where they are.
     """
 
-    def __init__(
-        self, crowd: Crowd, sensor_heights: Sequence[float], arena: Arena, footprints: Footprints, poses: Floats
-    ) -> None:
+    def __init__(self, crowd: Crowd, sensor_heights: Sequence[float], arena: Arena, obstacles: Placed) -> None:
         self._crowd = crowd
         self._heights: Floats = np.array(sensor_heights, dtype=np.float64)
         self._arena = arena
-        self._obstacles = _Things(footprints, poses)
+        self._obstacles = _Things(obstacles)
         self._crowd_now: Optional[_Things] = None
         self._lineup = -1
 
@@ -62,14 +59,35 @@ class Sight:
         """
         crowd = self._crowd
         if self._crowd_now is None or self._lineup != crowd.lineup:
-            self._crowd_now, self._lineup = _Things(crowd.footprints, crowd.poses), crowd.lineup
+            self._crowd_now, self._lineup = _Things(crowd.placed()), crowd.lineup
         rays = _Rays(crowd.poses[:, rows], self._heights[rows], bearings, max_range)
-        seen = _to_walls(self._arena, rays)
+        seen = np.full(rays.directions.shape, np.inf)
+        self._look_at_walls(rays, seen)
         if bearings.size:
             self._obstacles.look(rays, None, seen)
             self._crowd_now.look(rays, rows, seen)
         seen[~(seen <= max_range)] = np.inf
         return seen
+
+    def _look_at_walls(self, rays: _Rays, seen: Floats) -> None:
+        """Measure to the inner faces of the walls, not over their tops."""
+        arena = self._arena
+        room = np.minimum(
+            np.minimum(rays.x - arena.min_x, arena.max_x - rays.x),
+            np.minimum(rays.y - arena.min_y, arena.max_y - rays.y),
+        )
+        near = np.flatnonzero((room <= rays.max_range) & (rays.heights <= arena.wall_height))
+        directions = rays.directions[near]
+        far = np.full(directions.shape, np.inf)
+        for place, ahead, low, high in (
+            (rays.x[near], np.cos(directions), arena.min_x, arena.max_x),
+            (rays.y[near], np.sin(directions), arena.min_y, arena.max_y),
+        ):
+            ahead[ahead == 0.0] = _PARALLEL
+            face = np.where(ahead > 0.0, (high - place)[:, None], (low - place)[:, None])
+            with np.errstate(over="ignore"):
+                np.minimum(far, face / ahead, out=far)
+        seen[near] = far
 
 
 class _Rays:
@@ -114,11 +132,9 @@ class _Rays:
 class _Things:
     """Things that can be seen, where they are now."""
 
-    def __init__(self, footprints: Footprints, poses: Floats) -> None:
-        self._footprints = footprints
-        self._poses = poses
-        self._cells = Cells(poses[0], poses[1])
-        self._widest = float(footprints.radius.max()) if footprints.radius.size else 0.0
+    def __init__(self, placed: Placed) -> None:
+        self._footprints, self._poses, _ = placed
+        self._cells = Cells(self._poses[0], self._poses[1])
 
     def look(self, rays: _Rays, own: Optional[Rows], seen: Floats) -> None:
         """Shorten distances to those of things that are nearer.
@@ -129,24 +145,27 @@ class _Things:
             seen: distances, changed in place [m], shape (robots, rays).
         """
         shapes, poses = self._footprints, self._poses
-        robot, thing = self._cells.near(rays.x, rays.y, rays.max_range + self._widest)
-        x, y = poses[0, thing] - rays.x[robot], poses[1, thing] - rays.y[robot]
-        radius = shapes.radius[thing]
-        is_near = x * x + y * y <= (rays.max_range + radius) ** 2
+        robot, thing = self._cells.near(rays.x, rays.y, rays.max_range + shapes.widest)
+        x, y = poses[0][thing] - rays.x[robot], poses[1][thing] - rays.y[robot]
+        near = np.flatnonzero(x * x + y * y <= (rays.max_range + shapes.radius[thing]) ** 2)
+        robot, thing = robot[near], thing[near]
         height = rays.heights[robot]
-        is_near &= (shapes.low[thing] <= height) & (height <= shapes.high[thing])
+        is_level = (shapes.low[thing] <= height) & (height <= shapes.high[thing])
         if own is not None:
-            is_near &= own[robot] != thing
-        robot, thing, x, y, radius = (field[is_near] for field in (robot, thing, x, y, radius))
+            is_level &= own[robot] != thing
+        level = np.flatnonzero(is_level)
+        robot, thing, near = robot[level], thing[level], near[level]
+        x, y = x[near], y[near]
         bearing = np.arctan2(y, x) - rays.yaw[robot]
-        distance = np.hypot(x, y)
+        distance, radius = np.hypot(x, y), shapes.radius[thing]
         is_beside = distance > radius
         half_angle = np.where(is_beside, np.arcsin(radius / np.where(is_beside, distance, radius)), np.pi)
         pair, ray = rays.towards(bearing, half_angle)
         robot, thing, x, y = robot[pair], thing[pair], x[pair], y[pair]
         direction = rays.directions[robot, ray]
-        disc = shapes.rounding[thing] > 0.0
-        box, chosen = ~disc, thing[~disc]
+        is_disc = shapes.rounding[thing] > 0.0
+        disc, box = np.flatnonzero(is_disc), np.flatnonzero(~is_disc)
+        chosen = thing[box]
         to_box = _to_box(x[box], y[box], direction[box], poses[2, chosen], shapes.half_size[:, chosen])
         np.minimum.at(seen, (robot[box], ray[box]), to_box)
         to_disc = _to_disc(x[disc], y[disc], direction[disc], shapes.rounding[thing[disc]])
@@ -174,18 +193,3 @@ def _to_disc(x: Floats, y: Floats, direction: Floats, radius: Floats) -> Floats:
     half_chord_squared = radius * radius - across * across
     enters = along - np.sqrt(np.maximum(half_chord_squared, 0.0))
     return np.where((half_chord_squared >= 0.0) & (enters >= 0.0), enters, np.inf)
-
-
-def _to_walls(arena: Arena, rays: _Rays) -> Floats:
-    """Measure along rays to the inner faces of the walls; infinity over their tops [m], shape (robots, rays)."""
-    far = np.full(rays.directions.shape, np.inf)
-    for place, ahead, low, high in (
-        (rays.x, np.cos(rays.directions), arena.min_x, arena.max_x),
-        (rays.y, np.sin(rays.directions), arena.min_y, arena.max_y),
-    ):
-        ahead[ahead == 0.0] = _PARALLEL
-        face = np.where(ahead > 0.0, (high - place)[:, None], (low - place)[:, None])
-        with np.errstate(over="ignore"):
-            np.minimum(far, face / ahead, out=far)
-    far[rays.heights > arena.wall_height] = np.inf
-    return far
