@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import Dict, Mapping, Sequence, Tuple
+from typing import Dict, Mapping, Sequence, Set, Tuple
 
 from rqt_mrta_py.config.event_form import UNDOES
 from rqt_mrta_py.hooks import Link, World
@@ -39,6 +39,7 @@ class Faults:
         self._radio = radio
         self._links = iter(links)
         self._counts: Counter[Tuple[ScenarioEventKind, str]] = Counter()
+        self._stopped: Set[str] = set()
         self._clocks: Dict[str, RobotClock] = {}
 
     def happen(self, event: ScenarioEvent, now: float) -> None:
@@ -66,7 +67,7 @@ class Faults:
 
     def stopped(self, robot_id: str) -> bool:
         """Tell whether a robot stands still and is silent."""
-        return self._lasts(ScenarioEventKind.ROBOT_STOPS, robot_id)
+        return robot_id in self._stopped
 
     def clock_offset(self, robot_id: str, now: float) -> float:
         """Give a robot's clock minus the true one [s], at a true time [s]."""
@@ -89,10 +90,11 @@ class Faults:
         if kind is ScenarioEventKind.RADIO_FAILS:
             self._radio.set_failed(robot_id, lasts)
         elif kind is ScenarioEventKind.ROBOT_STOPS:
-            robot = self._robots[robot_id]
             if lasts:
-                robot.stop()
+                self._stopped.add(robot_id)
+                self._robots[robot_id].stop()
             else:
-                robot.resume()
+                self._stopped.remove(robot_id)
+                self._robots[robot_id].resume()
         if frozen != was_frozen:
             self._world.freeze(robot_id, frozen)
