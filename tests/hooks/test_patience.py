@@ -158,6 +158,39 @@ def test_somebody_elses_alarm_is_left_to_them() -> None:
     assert rung == [signal.SIGALRM]
 
 
+def test_what_a_plugins_code_raises_at_work_is_told_with_its_place() -> None:
+    patience = Patience()
+    patience.know("failing_plugin")
+    plugin = module_of("failing_plugin", "def think(helper):\n    return helper()\n")
+
+    with pytest.raises(HookError) as caught, patience.at_work("the mission's tick at 3 s"):
+        plugin.think(lambda: 1 / 0)
+
+    assert str(caught.value) == (
+        "the mission's tick at 3 s: ZeroDivisionError: division by zero, in think (/plugins/failing_plugin.py:2)"
+    )
+    assert isinstance(caught.value.__cause__, ZeroDivisionError)
+
+
+def test_what_our_own_code_raises_at_work_stays_as_it_is() -> None:
+    with pytest.raises(ZeroDivisionError), Patience().at_work("it"):
+        raise ZeroDivisionError
+
+
+def test_what_speaks_to_the_user_already_stays_as_it_is_at_work() -> None:
+    patience = Patience()
+    patience.know("failing_plugin")
+    plugin = module_of("failing_plugin", "def think(error):\n    raise error\n")
+
+    with pytest.raises(HookError, match=r"^as it is$"), patience.at_work("it"):
+        plugin.think(HookError("as it is"))
+
+
+def test_plugins_at_work_are_limited() -> None:
+    with pytest.raises(OutOfPatienceError, match=r"^it: no answer within "), Patience(SHORT).at_work("it"):
+        for_ever()
+
+
 class Slow:
     """Takes for ever where it was told to."""
 

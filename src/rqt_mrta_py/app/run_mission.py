@@ -111,7 +111,7 @@ def run_mission(host: Host, request: RunRequest, progress: Progress) -> MissionR
             with _watching(plan, run.bus, codec, processes) as watcher:
                 run.attach(watcher)
                 for tick in range(run.last_tick + 1):
-                    with host.manager.patience.limit(f"the mission's tick at {tick / scenario.control_rate:g} s"):
+                    with host.manager.patience.at_work(f"the mission's tick at {tick / scenario.control_rate:g} s"):
                         run.step(tick)
                     progress(tick / scenario.control_rate, duration)
                     if interrupt.requested:

@@ -143,7 +143,7 @@ class Watch:
     def finish(self) -> Results:
         """Close the bag and write the results."""
         plan = self._plan
-        with plan.patience.limit("the end of the mission"):
+        with plan.patience.at_work("the end of the mission"):
             return self._finish(plan)
 
     def _finish(self, plan: WatchPlan) -> Results:

@@ -209,7 +209,7 @@ def _watch(ends: _Ends) -> Optional[Results]:
                 return None
             if message == _FINISH:
                 return watch.finish()
-            with ends.plan.patience.limit(f"the watching of the mission's tick at {tick / ends.plan.clock.rate:g} s"):
+            with ends.plan.patience.at_work(f"the watching of the mission's tick at {tick / ends.plan.clock.rate:g} s"):
                 for stamped in unpacker.unpack(message):
                     watch.hear(stamped)
                 watch.end_tick(tick)

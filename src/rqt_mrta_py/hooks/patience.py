@@ -7,12 +7,13 @@ interrupted again each second; code in C is interrupted once it comes back to Py
 from __future__ import annotations
 
 import signal
-from contextlib import nullcontext
+import traceback
+from contextlib import contextmanager, nullcontext
 from threading import get_ident, main_thread
 from types import FrameType, TracebackType
-from typing import Any, ContextManager, List, Optional, Set, Type
+from typing import Any, ContextManager, Iterator, List, Optional, Set, Type
 
-from rqt_mrta_py.errors import HookError
+from rqt_mrta_py.errors import HookError, MrtaError
 
 __all__ = ["DEFAULT_PATIENCE", "OutOfPatienceError", "Patience"]
 
@@ -63,6 +64,28 @@ class Patience:
         if not self._seconds or get_ident() != main_thread().ident:
             return self._unlimited
         return _Limit(who, self._seconds, self._packages)
+
+    @contextmanager
+    def at_work(self, who: str) -> Iterator[None]:
+        """Give a context in which plugins work unnamed: limits them, and says whose code it is that raises.
+
+        Args:
+            who: is at work, for instance ``the mission's tick at 12.35 s``; begins the message.
+
+        Raises:
+            OutOfPatienceError: as ``limit``.
+            HookError: a plugin's code raised what does not speak to the user yet; names file, line and function.
+        """
+        try:
+            with self.limit(who):
+                yield
+        except (MrtaError, BrokenPipeError):
+            raise
+        except Exception as error:
+            place = _place_of(error, self._packages)
+            if place is None:
+                raise
+            raise HookError(f"{who}: {type(error).__name__}: {error}, {place}") from error
 
 
 class _Interruption(BaseException):
@@ -141,8 +164,25 @@ def _place(frame: FrameType, packages: Set[str]) -> str:
     frames = [frame]
     while frames[-1].f_back is not None:
         frames.append(frames[-1].f_back)
-    modules = [str(each.f_globals.get("__name__", "")).partition(".")[0] for each in frames]
+    modules = [_package(each) for each in frames]
     plugins = (each for each, module in zip(frames, modules) if module in packages)
     foreign = (each for each, module in zip(frames, modules) if module != _OWN)
     found = next(plugins, None) or next(foreign, frame)
-    return f"in {found.f_code.co_name} ({found.f_code.co_filename}:{found.f_lineno})"
+    return _told(found, found.f_lineno)
+
+
+def _place_of(error: BaseException, packages: Set[str]) -> Optional[str]:
+    """Describe the innermost code of a plugin that an exception came through; None if it came through none."""
+    place = None
+    for frame, line in traceback.walk_tb(error.__traceback__):
+        if _package(frame) in packages:
+            place = _told(frame, line)
+    return place
+
+
+def _package(frame: FrameType) -> str:
+    return str(frame.f_globals.get("__name__", "")).partition(".")[0]
+
+
+def _told(frame: FrameType, line: int) -> str:
+    return f"in {frame.f_code.co_name} ({frame.f_code.co_filename}:{line})"
