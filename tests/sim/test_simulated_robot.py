@@ -8,6 +8,7 @@ import pytest
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import Heard, Outgoing
 from rqt_mrta_py.model import Pose, RobotSetup, SensorSetup, Twist
+from rqt_mrta_py.sim.mount import cast_together
 from rqt_mrta_py.sim.plugin import mrta_register_sensors
 from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
 from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
@@ -34,8 +35,13 @@ def tell(driver, at, vx=0.0, vy=0.0, wz=0.0):
     hear(Heard("/robot1/cmd_vel", subscription.type, at, fields))
 
 
+def sense(driver, tick):
+    due = driver.due(tick)
+    return driver.sense(tick / 20 + 1, START, due, cast_together(WORLD, due), WORLD)
+
+
 def topics(driver, tick):
-    return [outgoing.topic for outgoing in driver.sense(tick, tick / 20 + 1, START, WORLD)]
+    return [outgoing.topic for outgoing in sense(driver, tick)]
 
 
 def test_robot_hears_cmd_vel_in_its_own_namespace():
@@ -117,12 +123,13 @@ def test_robot_takes_sensors_that_strangers_bring():
     class Thermometer:
         def __init__(self, context):
             self.topic = context.setup.topic
+            self.rays = None
 
-        def sense(self, now, truth, world):
-            return (Outgoing(self.topic, "sensor_msgs/Temperature", {"temperature": 20.0 + truth.x}),)
+        def sense(self, moment):
+            return (Outgoing(self.topic, "sensor_msgs/Temperature", {"temperature": 20.0 + moment.truth.x}),)
 
     driver = robot([SensorSetup("thermometer", "warmth", 1.0)], {"thermometer": Thermometer})
-    (outgoing,) = driver.sense(0, 1.0, START, WORLD)
+    (outgoing,) = sense(driver, 0)
     assert outgoing == Outgoing("warmth", "sensor_msgs/Temperature", {"temperature": 21.0})
 
 
@@ -137,5 +144,5 @@ def test_robot_tells_the_problems_of_all_its_sensors_at_once():
     assert str(caught.value).splitlines() == [
         "robot robot1: sensor odometry on odom: rate must be above 0, at most the control rate of 20 Hz (got 50.0)",
         "robot robot1: sensor localiser on pose: parameter position_noise: must be a number at least 0 (got -1)",
-        "robot robot1: sensor range_finder on scan: parameter rays: must be a whole number of at least 1 (got 2.5)",
+        "robot robot1: sensor range_finder on scan: parameter rays: must be a whole number from 1 to 3600 (got 2.5)",
     ]

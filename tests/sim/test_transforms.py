@@ -79,3 +79,16 @@ def test_transforms_are_silent_without_odometry():
     source = TransformSource("robot1")
     assert source.derive(1.0, []) == ()
     assert source.derive(2.0, [located(Pose(1.0, 0.0, 0.0))]) == ()
+
+
+def test_transforms_take_fields_that_are_left_out_as_zero():
+    """As the codec does: a stranger's odometry need not spell them."""
+    source = TransformSource("robot1")
+    counted = Outgoing(
+        "odom", "nav_msgs/Odometry", {"pose": {"pose": {"position": {"x": 0.5}, "orientation": {"w": 1.0}}}}
+    )
+    found = Outgoing("pose", "geometry_msgs/PoseStamped", {"pose": {"orientation": {"w": 1.0}}})
+    (outgoing,) = source.derive(1.0, [counted, found])
+    origin, base = outgoing.fields["transforms"]
+    assert origin["transform"]["translation"] == {"x": -0.5, "y": 0.0}
+    assert base["transform"] == {"translation": {"x": 0.5}, "rotation": {"w": 1.0}}

@@ -4,6 +4,7 @@
 * ``robot_models``: the kinds of robots that this room brings
 * ``sensors``: range finder, odometry, localiser; one file each
 * ``simulated_robot``: one robot's hardware as a node: sensors, transforms, ``cmd_vel``
+* ``mount``: a sensor on a robot; rays of many cast together
 * ``transforms``: ``/tf`` from odometry and localiser
 * ``schedule``: rates in ticks
 * ``placement``, ``requirements``: what is wrong with a scenario, before anything is built

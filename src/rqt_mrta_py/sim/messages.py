@@ -9,6 +9,8 @@ from rqt_mrta_py.model import Pose
 
 __all__ = ["header", "pose_fields", "pose_of", "quaternion", "transform"]
 
+_ZEROS: Mapping[str, float] = {}
+
 
 def header(now: float, frame: str) -> Dict[str, Any]:
     """Give a std_msgs/Header.
@@ -22,27 +24,25 @@ def header(now: float, frame: str) -> Dict[str, Any]:
 
 def quaternion(yaw: float) -> Dict[str, float]:
     """Give a geometry_msgs/Quaternion that turns by ``yaw`` [rad] about the vertical."""
-    return {"x": 0.0, "y": 0.0, "z": math.sin(yaw / 2), "w": math.cos(yaw / 2)}
+    return {"z": math.sin(yaw / 2), "w": math.cos(yaw / 2)}
 
 
 def pose_fields(pose: Pose) -> Dict[str, Any]:
     """Give a geometry_msgs/Pose on the floor."""
-    return {"position": {"x": pose.x, "y": pose.y, "z": 0.0}, "orientation": quaternion(pose.yaw)}
+    return {"position": {"x": pose.x, "y": pose.y}, "orientation": quaternion(pose.yaw)}
 
 
 def pose_of(fields: Mapping[str, Any]) -> Pose:
-    """Read a geometry_msgs/Pose on the floor."""
-    position, orientation = fields["position"], fields["orientation"]
-    return Pose(position["x"], position["y"], 2 * math.atan2(orientation["z"], orientation["w"]))
+    """Read a geometry_msgs/Pose on the floor; fields left out are zero."""
+    position, orientation = fields.get("position", _ZEROS), fields.get("orientation", _ZEROS)
+    yaw = 2 * math.atan2(orientation.get("z", 0.0), orientation.get("w", 0.0))
+    return Pose(position.get("x", 0.0), position.get("y", 0.0), yaw)
 
 
-def transform(now: float, parent: str, child: str, pose: Pose) -> Dict[str, Any]:
-    """Give a geometry_msgs/TransformStamped: where ``child`` stands in ``parent``."""
+def transform(now: float, parent: str, child: str, pose: Mapping[str, Any]) -> Dict[str, Any]:
+    """Give a geometry_msgs/TransformStamped: where ``child`` stands in ``parent``, as a geometry_msgs/Pose."""
     return {
         "header": header(now, parent),
         "child_frame_id": child,
-        "transform": {
-            "translation": {"x": pose.x, "y": pose.y, "z": 0.0},
-            "rotation": quaternion(pose.yaw),
-        },
+        "transform": {"translation": pose.get("position", _ZEROS), "rotation": pose.get("orientation", _ZEROS)},
     }

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import difflib
-from typing import Collection, Dict, Iterator, Mapping
+from typing import Collection, Dict, Iterable, Iterator, Mapping
 
 from rqt_mrta_py.hooks import LinkFactory, RobotModel, SensorFactory, World, WorldFactory
 from rqt_mrta_py.model import ScenarioEventKind, ScenarioSpec
+from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
 
-__all__ = ["missing_capabilities", "missing_links", "missing_names"]
+__all__ = ["blind_sensors", "missing_capabilities", "missing_links", "missing_names"]
 
 
 _FREEZING = (ScenarioEventKind.ROBOT_STOPS, ScenarioEventKind.ROBOT_STICKS)
@@ -63,8 +64,25 @@ def missing_capabilities(scenario: ScenarioSpec, models: Mapping[str, RobotModel
             needs.setdefault("freeze", f"event {event.kind.value} at {event.time:g} s")
     for capability, who in needs.items():
         if capability not in world.capabilities:
-            offered = ", ".join(sorted(world.capabilities)) or "nothing"
-            yield f"{who}: world {scenario.world} lacks {capability}; it can do: {offered}"
+            yield _lack(who, scenario.world, capability, world)
+
+
+def blind_sensors(scenario: ScenarioSpec, robots: Iterable[SimulatedRobot], world: World) -> Iterator[str]:
+    """Find the sensors that want rays of a world that casts none.
+
+    Yields:
+        One line for each, in file order, with what the world can do.
+    """
+    if "ranges" not in world.capabilities:
+        for robot in robots:
+            for mount in robot.mounts:
+                if mount.rays is not None:
+                    yield _lack(mount.where, scenario.world, "ranges", world)
+
+
+def _lack(who: str, name: str, capability: str, world: World) -> str:
+    offered = ", ".join(sorted(world.capabilities)) or "nothing"
+    return f"{who}: world {name} lacks {capability}; it can do: {offered}"
 
 
 def _offer(name: str, known: Collection[str]) -> str:

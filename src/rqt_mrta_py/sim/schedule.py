@@ -30,8 +30,8 @@ class Schedule:
 
     def is_due(self, tick: int) -> bool:
         """Tell whether it is due at a tick, counted from 0."""
-        through = tick * self._numerator // self._denominator
-        return tick == 0 or through > (tick - 1) * self._numerator // self._denominator
+        # What is left of the whole times it was due by now is less than what one tick adds.
+        return tick * self._numerator % self._denominator < self._numerator
 
 
 def first_tick_at(time: float, control_rate: int) -> int:

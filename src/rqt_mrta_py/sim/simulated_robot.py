@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Callable, List, Mapping, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, Callable, List, Mapping, Sequence, Tuple
 
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import (
     Heard,
     Outgoing,
     RobotModel,
-    Sensor,
     SensorContext,
     SensorFactory,
     SensorMoment,
@@ -18,7 +17,7 @@ from rqt_mrta_py.hooks import (
     World,
 )
 from rqt_mrta_py.model import Pose, RobotSetup, Twist
-from rqt_mrta_py.sim.schedule import Schedule
+from rqt_mrta_py.sim.mount import Mount, mount
 from rqt_mrta_py.sim.transforms import TransformSource
 
 if TYPE_CHECKING:
@@ -41,6 +40,7 @@ class SimulatedRobot:
     Attributes:
         id: the robot's.
         model: what it is like.
+        mounts: its sensors, in file order.
         node: resolved name of its node.
         is_stopped: True while it stands still and is silent.
         speed_factor: share of what it is commanded that it drives at, from 0 to 1.
@@ -69,7 +69,7 @@ class SimulatedRobot:
         self.node = f"/{setup.id}/driver"
         self.is_stopped = False
         self.speed_factor = 1.0
-        self._sensors = _build_sensors(setup, model, sensors, control_rate, random)
+        self.mounts: Sequence[Mount] = _mount_all(setup, model, sensors, control_rate, random)
         self._transforms = TransformSource(setup.id)
         self._command = _STILL
         self._commanded_at = -math.inf
@@ -78,30 +78,37 @@ class SimulatedRobot:
         """Say what to hear, in the robot's namespace, and who hears it."""
         return ((_CMD_VEL, self._hear_command),)
 
-    def sense(self, tick: int, now: float, truth: Pose, world: World) -> Sequence[Outgoing]:
-        """Run the sensors that are due.
+    def due(self, tick: int) -> Sequence[Mount]:
+        """Give the sensors that measure at a tick, counted from 0, in file order; none while it is stopped."""
+        if self.is_stopped:
+            return ()
+        return [one for one in self.mounts if one.schedule.is_due(tick)]
+
+    def sense(
+        self,
+        now: float,
+        truth: Pose,
+        due: Sequence[Mount],
+        seen: Mapping[Mount, NDArray[np.float64]],
+        world: World,
+    ) -> Sequence[Outgoing]:
+        """Run sensors.
 
         Args:
-            tick: of the mission, from 0.
             now: the time [s].
             truth: the robot's true pose in the frame ``map``.
+            due: which of its sensors, in file order.
+            seen: distances along the rays of those that want some [m].
             world: where it is.
 
         Returns:
-            What the robot publishes, in the order of its sensors, transforms last; nothing while it is stopped.
+            What the robot publishes, in the order of its sensors, transforms last.
         """
-        if self.is_stopped:
-            return ()
         measured: List[Outgoing] = []
-        for schedule, sensor in self._sensors:
-            if schedule.is_due(tick):
-                measured.extend(sensor.sense(SensorMoment(now, truth, self._ranges(sensor, world), world)))
+        for one in due:
+            measured.extend(one.sensor.sense(SensorMoment(now, truth, seen.get(one), world)))
         measured.extend(self._transforms.derive(now, measured))
         return measured
-
-    def _ranges(self, sensor: Sensor, world: World) -> Optional[NDArray[np.float64]]:
-        rays = sensor.rays
-        return None if rays is None else world.ranges((self.id,), rays.bearings, rays.max_range)[0]
 
     def command(self, now: float) -> Twist:
         """Give the velocity to drive at a time [s], within the model's limits."""
@@ -140,27 +147,22 @@ def _limit(model: RobotModel, vx: float, vy: float, wz: float) -> Twist:
     return Twist(vx * scale, vy * scale, max(-model.max_turn_rate, min(model.max_turn_rate, wz)))
 
 
-def _build_sensors(
+def _mount_all(
     setup: RobotSetup,
     model: RobotModel,
     factories: Mapping[str, SensorFactory],
     control_rate: int,
     random: np.random.Generator,
-) -> List[Tuple[Schedule, Sensor]]:
-    """Build sensors in file order."""
-    sensors: List[Tuple[Schedule, Sensor]] = []
+) -> List[Mount]:
+    """Mount sensors in file order."""
+    mounts: List[Mount] = []
     problems: List[str] = []
     for sensor in setup.sensors:
+        context = SensorContext(setup.id, model, sensor, setup.start, random)
         try:
-            schedule = Schedule(sensor.rate, control_rate)
-        except ValueError as error:
-            problems.append(f"robot {setup.id}: sensor {sensor.kind} on {sensor.topic}: {error}")
-            continue
-        try:
-            context = SensorContext(setup.id, model, sensor, setup.start, random)
-            sensors.append((schedule, factories[sensor.kind](context)))
+            mounts.append(mount(context, factories[sensor.kind], control_rate))
         except SimError as error:
             problems.append(str(error))
     if problems:
         raise SimError("\n".join(problems))
-    return sensors
+    return mounts

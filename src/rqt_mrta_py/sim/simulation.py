@@ -18,9 +18,10 @@ from rqt_mrta_py.hooks import (
 )
 from rqt_mrta_py.model import Pose, ScenarioEvent, ScenarioSpec
 from rqt_mrta_py.sim.faults import Faults
+from rqt_mrta_py.sim.mount import cast_together
 from rqt_mrta_py.sim.placement import placement_problems
 from rqt_mrta_py.sim.radio import LinkRandom, PerfectLink, Radio, build_links
-from rqt_mrta_py.sim.requirements import missing_capabilities, missing_links, missing_names
+from rqt_mrta_py.sim.requirements import blind_sensors, missing_capabilities, missing_links, missing_names
 from rqt_mrta_py.sim.scenario_events import in_order
 from rqt_mrta_py.sim.schedule import first_tick_at
 from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
@@ -86,7 +87,8 @@ class Simulation:
         self.radio = Radio(built.first)
         self.world: World = worlds[scenario.world]()
         try:
-            _raise_if_any(missing_capabilities(scenario, models, self.world))
+            blind = blind_sensors(scenario, self.robots.values(), self.world)
+            _raise_if_any([*missing_capabilities(scenario, models, self.world), *blind])
             self.world.reset(WorldSetup(scenario.arena, scenario.obstacles, placed, 1.0 / scenario.control_rate))
         except BaseException:
             self.world.close()
@@ -123,11 +125,15 @@ class Simulation:
         Returns:
             What each robot's driver publishes, in the scenario's order; robots that say nothing are left out.
         """
+        due = {robot_id: robot.due(tick) for robot_id, robot in self.robots.items()}
+        seen = cast_together(self.world, (mount for mounts in due.values() for mount in mounts))
         said: List[Tuple[str, Sequence[Outgoing]]] = []
-        for robot, (x, y, yaw) in zip(self.robots.values(), self.world.poses().tolist()):
-            outgoing = robot.sense(tick, now + self.clock_offset(robot.id), Pose(x, y, yaw), self.world)
-            if outgoing:
-                said.append((robot.id, outgoing))
+        for robot, place in zip(self.robots.values(), self.world.poses().tolist()):
+            mounts = due[robot.id]
+            if mounts:
+                outgoing = robot.sense(now + self.clock_offset(robot.id), Pose(*place), mounts, seen, self.world)
+                if outgoing:
+                    said.append((robot.id, outgoing))
         return said
 
     def act(self, now: float) -> None:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import List, Optional, Sequence
+from typing import Any, List, Mapping, Optional, Sequence
 
 from rqt_mrta_py.hooks import Outgoing
 from rqt_mrta_py.model import Pose, wrap_angle
-from rqt_mrta_py.sim.messages import pose_of, transform
+from rqt_mrta_py.sim.messages import pose_fields, pose_of, transform
 
 __all__ = ["TransformSource", "odometry_origin"]
 
@@ -25,25 +25,25 @@ class TransformSource:
     def __init__(self, robot_id: str) -> None:
         self._odom_frame = f"{robot_id}/odom"
         self._base_frame = f"{robot_id}/base_link"
-        self._odometry: Optional[Pose] = None
-        self._origin: Optional[Pose] = None
+        self._odometry: Optional[Mapping[str, Any]] = None
+        self._origin: Optional[Mapping[str, Any]] = None
 
     def derive(self, now: float, measured: Sequence[Outgoing]) -> Sequence[Outgoing]:
         """Take in what sensors published at a time [s]; answer the transforms due with it, at most one message."""
-        located: Optional[Pose] = None
-        counted: Optional[Pose] = None
+        located: Optional[Mapping[str, Any]] = None
+        counted: Optional[Mapping[str, Any]] = None
         for outgoing in measured:
             if outgoing.type == "nav_msgs/Odometry":
-                counted = pose_of(outgoing.fields["pose"]["pose"])
+                counted = outgoing.fields["pose"]["pose"]
             elif outgoing.type == "geometry_msgs/PoseStamped":
-                located = pose_of(outgoing.fields["pose"])
+                located = outgoing.fields["pose"]
         if counted is not None:
             self._odometry = counted
         if located is not None and self._odometry is not None:
-            self._origin = odometry_origin(located, self._odometry)
+            self._origin = pose_fields(odometry_origin(pose_of(located), pose_of(self._odometry)))
         if counted is None:
             return ()
-        transforms: List[object] = []
+        transforms: List[Mapping[str, Any]] = []
         if self._origin is not None:
             transforms.append(transform(now, "map", self._odom_frame, self._origin))
         transforms.append(transform(now, self._odom_frame, self._base_frame, counted))

@@ -16,7 +16,7 @@ from tests.sim.worlds import run, setup
 
 BEARINGS = np.linspace(-math.pi, math.pi, 90, endpoint=False)
 TOLERANCE = 6e-3
-"""What rays of PyBullet are off where they graze a face [m]; a few graze an edge, which one hits and the other misses."""
+"""What rays of PyBullet are off where they graze a face [m]; a few graze an edge that only one hits."""
 
 
 @pytest.fixture

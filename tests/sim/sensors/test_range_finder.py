@@ -22,6 +22,14 @@ def scan(seen, random=None, **parameters):
     return outgoing
 
 
+def many(seen, **parameters):
+    """Give the ranges of six scans of as many rays as there may be, one after the other."""
+    sensor = RangeFinder(context("range_finder", "scan", rays=3600, **parameters))
+    world = StillWorld(seen)
+    moment = SensorMoment(2.5, START, world.ranges(["r0"], *sensor.rays)[0], world)
+    return [value for _ in range(6) for outgoing in sensor.sense(moment) for value in outgoing.fields["ranges"]]
+
+
 def test_range_finder_publishes_a_laser_scan_in_the_frame_of_its_robot():
     outgoing = scan([1.0], **EXACT)
     assert (outgoing.topic, outgoing.type) == ("scan", "sensor_msgs/LaserScan")
@@ -66,13 +74,13 @@ def test_range_finder_noise_grows_with_the_distance():
 
 
 def test_range_finder_noise_has_the_deviation_asked_for():
-    ranges = scan([2.0], rays=20000, noise=0.01, noise_per_metre=0.01, dropout=0.0).fields["ranges"]
+    ranges = many([2.0], noise=0.01, noise_per_metre=0.01, dropout=0.0)
     assert np.mean(ranges) == pytest.approx(2.0, abs=0.001)
     assert np.std(ranges) == pytest.approx(0.03, rel=0.03)
 
 
 def test_range_finder_loses_the_share_of_rays_asked_for():
-    ranges = scan([2.0], rays=20000, noise=0.0, noise_per_metre=0.0, dropout=0.25).fields["ranges"]
+    ranges = many([2.0], noise=0.0, noise_per_metre=0.0, dropout=0.25)
     assert np.mean(np.isposinf(ranges)) == pytest.approx(0.25, abs=0.02)
 
 
@@ -90,7 +98,7 @@ def test_range_finder_tells_all_wrong_parameters_at_once():
         RangeFinder(context("range_finder", "scan", rays=0, dropout=1.5, noise="much", max_rnge=3.0, fov=-1.0))
     where = "robot robot1: sensor range_finder on scan: parameter"
     assert str(caught.value).splitlines() == [
-        f"{where} rays: must be a whole number of at least 1 (got 0)",
+        f"{where} rays: must be a whole number from 1 to 3600 (got 0)",
         f"{where} fov: must be a number above 0, at most 6.28329 (got -1.0)",
         f"{where} noise: must be a number at least 0 (got 'much')",
         f"{where} dropout: must be a number at least 0, at most 1 (got 1.5)",
@@ -102,3 +110,16 @@ def test_range_finder_tells_all_wrong_parameters_at_once():
 def test_range_finder_must_reach_farther_than_it_begins():
     with pytest.raises(SimError, match=r"parameter max_range: must be above min_range \(2\) \(got 1.0\)"):
         RangeFinder(context("range_finder", "scan", min_range=2.0, max_range=1.0))
+
+
+def test_range_finder_has_ten_rays_a_degree_at_most():
+    with pytest.raises(SimError, match=r"parameter rays: must be a whole number from 1 to 3600 \(got 1000000000\)"):
+        RangeFinder(context("range_finder", "scan", rays=10**9))
+
+
+def test_range_finder_leaves_the_distances_it_was_handed_as_they_are():
+    sensor = RangeFinder(context("range_finder", "scan", rays=3))
+    handed = np.array([0.01, 2.0, np.inf])
+    handed.flags.writeable = False
+    sensor.sense(SensorMoment(1.0, START, handed, StillWorld()))
+    assert handed.tolist() == [0.01, 2.0, math.inf]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Dict, FrozenSet, Mapping, Optional, Sequence, Set, Tuple, Union
+from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Set, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,7 +43,7 @@ class BulletWorld:
         self._loose: Optional[LooseBodies] = None
         self._physics_steps = 0
         self._sight: Optional[Sight] = None
-        self._frames: NDArray[np.float64] = np.empty((0, 7))
+        self._frames: List[Tuple[Tuple[float, ...], Tuple[float, ...]]] = []
         self._poses: NDArray[np.float64] = np.empty((0, 3))
 
     @property
@@ -75,8 +75,6 @@ class BulletWorld:
         self._names.update({robot.body: robot_id for robot_id, robot in self._robots.items()})
         self._loose = LooseBodies(self._engine)
         self._sight = Sight(setup.arena, setup.obstacles, [robot.shape for robot in self._robots.values()])
-        self._frames = np.empty((len(self._robots), 7))
-        self._poses = np.empty((len(self._robots), 3))
         self._read_poses()
 
     def add_body(self, body: Body) -> None:
@@ -183,10 +181,11 @@ class BulletWorld:
         origin[:, :2] = self._poses[rows, :2]
         origin[:, 2] = [robot.model.sensor_height for robot in wheeled]
         angle = self._poses[rows, 2, None] + np.asarray(bearings, dtype=np.float64)
+        frames = np.array([(*position, *turn) for position, turn in self._frames], dtype=np.float64).reshape(-1, 7)
         loose = self._bodies
         return self._seen.measure(
             Rays(rows, origin, np.cos(angle), np.sin(angle), max_range),
-            self._frames,
+            frames,
             loose.frames(),
             loose.half_sizes(),
         )
@@ -223,11 +222,12 @@ class BulletWorld:
     def _read_poses(self) -> None:
         engine = self._running
         locate, client = engine.bullet.getBasePositionAndOrientation, engine.client
-        for row, robot in enumerate(self._robots.values()):
-            position, (x, y, z, w) = locate(robot.body, physicsClientId=client)
-            self._frames[row] = (*position, x, y, z, w)
-            yaw = math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
-            self._poses[row] = (position[0], position[1], yaw)
+        self._frames = [locate(robot.body, physicsClientId=client) for robot in self._robots.values()]
+        rows = [
+            (px, py, math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)))
+            for (px, py, _), (x, y, z, w) in self._frames
+        ]
+        self._poses = np.array(rows, dtype=np.float64).reshape(-1, 3)
 
 
 def _physics_steps(setup: WorldSetup) -> int:

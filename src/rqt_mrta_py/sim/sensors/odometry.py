@@ -47,7 +47,8 @@ class Odometry:
         self._distance_factor = 1.0 + distance_error * distance_bias
         self._turn_factor = 1.0 + turn_error * turn_bias
         self._heading_per_metre = heading_error * heading_bias
-        self._robot_id = context.robot_id
+        self._frame = f"{context.robot_id}/odom"
+        self._child_frame = f"{context.robot_id}/base_link"
         self._topic = context.setup.topic
         self._random = context.random
         self._counted = Pose(0.0, 0.0, 0.0)
@@ -71,8 +72,8 @@ class Odometry:
         )
         speed, turn_rate = (distance / elapsed, turn / elapsed) if elapsed > 0 else (0.0, 0.0)
         fields = {
-            "header": header(moment.now, f"{self._robot_id}/odom"),
-            "child_frame_id": f"{self._robot_id}/base_link",
+            "header": header(moment.now, self._frame),
+            "child_frame_id": self._child_frame,
             "pose": {"pose": pose_fields(self._counted)},
             "twist": {"twist": {"linear": {"x": speed}, "angular": {"z": turn_rate}}},
         }

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from rqt_mrta_py.hooks import Outgoing, RayPattern, SensorContext, SensorMoment
 from rqt_mrta_py.sim.messages import header
+from rqt_mrta_py.sim.mount import MOST_RAYS
 from rqt_mrta_py.sim.sensors.settings import SensorSettings
 
 __all__ = ["RangeFinder"]
@@ -24,7 +25,7 @@ class RangeFinder:
     ``dropout``. As REP-117 says: nothing seen is +inf, too near to be measured is -inf.
 
     Parameters in a scenario:
-        rays: how many, evenly spread; 36.
+        rays: how many, evenly spread, at most 3600; 36.
         fov: angle between first and last ray, centred on the heading; a full turn (2 pi, the default) has no last
             ray on top of the first [rad].
         min_range, max_range: what can be measured; 0.05 and 4 [m].
@@ -35,7 +36,7 @@ class RangeFinder:
 
     def __init__(self, context: SensorContext) -> None:
         settings = SensorSettings(context)
-        rays = settings.whole("rays", 36)
+        rays = settings.whole("rays", 36, most=MOST_RAYS)
         fov = settings.number("fov", _FULL_TURN, above=True, most=_FULL_TURN + 1e-4)
         self._min_range = settings.number("min_range", 0.05)
         self._max_range = settings.number("max_range", 4.0, above=True)
@@ -45,7 +46,7 @@ class RangeFinder:
         self._noise_per_metre = settings.number("noise_per_metre", 0.01)
         self._dropout = settings.number("dropout", 0.005, most=1.0)
         settings.finish()
-        self._robot_id = context.robot_id
+        self._frame = f"{context.robot_id}/base_link"
         self._topic = context.setup.topic
         self._random = context.random
         self._bearings = _bearings(rays, fov)
@@ -71,12 +72,13 @@ class RangeFinder:
             raise ValueError("a range finder was handed no ranges")
         noise = self._random.standard_normal(true.size)
         lost = self._random.random(true.size) < self._dropout
-        with np.errstate(invalid="ignore"):  # infinity times a noise of nothing
-            measured = true + noise * (self._noise + self._noise_per_metre * true)
+        # Noise of a finite range, for infinity times a noise of nothing is no number.
+        noise *= self._noise + self._noise_per_metre * np.minimum(true, self._max_range)
+        measured = true + noise
         measured[measured < self._min_range] = -np.inf
-        measured[lost | np.isinf(true) | (measured > self._max_range)] = np.inf
+        measured[lost | (measured > self._max_range)] = np.inf
         fields = {
-            "header": header(moment.now, f"{self._robot_id}/base_link"),
+            "header": header(moment.now, self._frame),
             **self._constant,
             "ranges": measured.tolist(),
         }

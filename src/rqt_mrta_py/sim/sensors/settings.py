@@ -47,12 +47,12 @@ class SensorSettings:
         bounds = f"{'above' if above else 'at least'} {least:g}" + (f", at most {most:g}" if most < math.inf else "")
         return self._refuse(name, value, f"must be a number {bounds}", default)
 
-    def whole(self, name: str, default: int, *, least: int = 1) -> int:
-        """Read a whole number of at least ``least``; as ``number`` otherwise."""
+    def whole(self, name: str, default: int, *, least: int = 1, most: int) -> int:
+        """Read a whole number; bounds, default and refusal as of ``number``."""
         value = self._ask(name, default)
-        if isinstance(value, int) and not isinstance(value, bool) and value >= least:
+        if isinstance(value, int) and not isinstance(value, bool) and least <= value <= most:
             return value
-        return int(self._refuse(name, value, f"must be a whole number of at least {least}", default))
+        return int(self._refuse(name, value, f"must be a whole number from {least} to {most}", default))
 
     def refuse(self, name: str, value: object, accepted: str) -> None:
         """Note that a value does not go with the others; ``finish`` then raises.
