@@ -104,7 +104,7 @@ WHOLE = bag([connection_record(0, "/a")], [[(0, 1, b"\0")] * 5])
         (b"\xff\xfe\n" * 9, "not a whole ROS 1 bag: "),
         (WHOLE.replace(b"index_pos=", b"index_pos=" + bytes(8), 1)[: len(WHOLE)], "not a whole ROS 1 bag: "),
         (WHOLE[:22], "not a whole ROS 1 bag: "),
-        (WHOLE[:-10], "not a whole ROS 1 bag: .*; its end is missing, mend a copy with 'rosbag reindex -f'"),
+        (WHOLE[:-10], "not a whole ROS 1 bag: .*; its end is missing, save what it holds with 'mrta salvage'"),
         (WHOLE.replace(b"compression=none", b"compression=gzip"), "not a whole ROS 1 bag: Compression 'gzip' is not"),
         (WHOLE.replace(b"compression=none", b"compression=bz2\0"), "not a whole ROS 1 bag: "),
     ],
@@ -120,7 +120,7 @@ def test_a_file_that_is_no_whole_bag_is_one_clear_error(tmp_path: Path, content:
 def test_an_unclosed_bag_says_how_to_mend_it(tmp_path: Path) -> None:
     begin = WHOLE.index(b"index_pos=") + len("index_pos=")
     path = write(tmp_path / "x.bag", WHOLE[:begin] + bytes(8) + WHOLE[begin + 8 :])
-    with pytest.raises(TransportError, match="never completed, mend a copy with 'rosbag reindex'"):
+    with pytest.raises(TransportError, match="never completed, save what it holds with 'mrta salvage'"):
         list(read_bag(path))
 
 

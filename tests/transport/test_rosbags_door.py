@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rqt_mrta_py.errors import MissingDependencyError
-from rqt_mrta_py.transport import BagWriter, RosCodec, read_bag, rosbags_door
+from rqt_mrta_py.transport import RosCodec, read_bag, rosbags_door
 from tests.transport.support import ROOT, connection
 
 
@@ -22,7 +22,6 @@ def _without_rosbags(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_bags_and_standard_types_say_what_to_install_where_rosbags_is_missing(tmp_path: Path) -> None:
     for attempt in (
         lambda: list(read_bag(tmp_path / "x.bag")),
-        lambda: BagWriter(tmp_path / "x.bag"),
         lambda: RosCodec({}.get).connection("/s", "std_msgs/String"),
     ):
         with pytest.raises(MissingDependencyError, match=r"install it with: pip install 'rqt_mrta_py\[bag\]'"):

@@ -5,17 +5,20 @@
 * ``patterns``, ``dispatch``: hearing a stream
 * ``bus``, ``node``, ``inbox``, ``wiring``: the embedded bus of simulated runs
 * ``batches``: from process to process
-* ``bag_writer``, ``bag_reader``: bags
+* ``bag_writer``, ``bag_chunks``, ``bag_records``, ``compression``: bags as they are recorded
+* ``bag_reader``, ``chunk_walk``: bags as they are read, whole or not
 * ``rosbags_door``: the only place that imports rosbags
 """
 
 from __future__ import annotations
 
 from rqt_mrta_py.transport.bag_reader import BagInfo, read_bag, read_bag_info
-from rqt_mrta_py.transport.bag_writer import BagWriter, Compression
+from rqt_mrta_py.transport.bag_writer import BagWriter
 from rqt_mrta_py.transport.batches import BatchPacker, BatchUnpacker
 from rqt_mrta_py.transport.bus import Bus
+from rqt_mrta_py.transport.chunk_walk import ChunkWalk
 from rqt_mrta_py.transport.codec import RosCodec
+from rqt_mrta_py.transport.compression import Compression
 from rqt_mrta_py.transport.dispatch import Dispatcher
 from rqt_mrta_py.transport.node import Node
 
@@ -25,6 +28,7 @@ __all__ = [
     "BatchPacker",
     "BatchUnpacker",
     "Bus",
+    "ChunkWalk",
     "Compression",
     "Dispatcher",
     "Node",

@@ -138,9 +138,9 @@ def _reason(error: BaseException) -> str:
 
 def _remedy(error: BaseException) -> str:
     if "not indexed" in str(error):
-        return "; its recording was never completed, mend a copy with 'rosbag reindex'"
+        return "; its recording was never completed, save what it holds with 'mrta salvage'"
     if "index looks damaged" in str(error):
-        return "; its end is missing, mend a copy with 'rosbag reindex -f'"
+        return "; its end is missing, save what it holds with 'mrta salvage'"
     return "; give a file that 'rosbag info' reads"
 
 

@@ -1,8 +1,8 @@
-"""Bags as they are recorded: ROS 1 format 2.0, on rosbags' writer with two of its faults mended.
+"""Bags as they are recorded: ROS 1 format 2.0, chunk by chunk, so that a killed recording is lost by a second at most.
 
-rosbags' LZ4 frames are refused by ROS, which needs independent blocks, a content checksum and no stored size. And
-its file header is 8 bytes too short: ``rosbag reindex`` and appending would overwrite the first chunk, so the header
-is made as long as ROS makes it when the file is opened.
+Messages wait as they are until their chunk is written, which happens in one piece. rosbags' own writer is not used:
+ROS refuses its LZ4 frames, ``rosbag reindex`` and appending destroy its first chunk, and each of its writes searches
+all connections.
 """
 
 from __future__ import annotations
@@ -10,37 +10,44 @@ from __future__ import annotations
 import logging
 import struct
 from contextlib import suppress
-from enum import Enum
 from pathlib import Path
 from types import TracebackType
-from typing import Any, BinaryIO, Dict, Optional, Tuple, Type
+from typing import Dict, List, NamedTuple, Optional, Type
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Connection, Stamped
-from rqt_mrta_py.transport.rosbags_door import rosbag1
+from rqt_mrta_py.transport.bag_chunks import Pending, Target, build_chunk
+from rqt_mrta_py.transport.bag_records import (
+    FILE_HEADER_END,
+    MAGIC,
+    MESSAGE_OVERHEAD,
+    chunk_header,
+    chunk_info,
+    connection_record,
+    file_header,
+)
+from rqt_mrta_py.transport.compression import Compression, compress
 
-__all__ = ["BagWriter", "Compression"]
+__all__ = ["BagWriter"]
 
 _LOG = logging.getLogger(__name__)
 
-_ROSBAGS_HEADER_END = 4109
-_PADDING = b" " * 8
-_DATA_LENGTH_AT = 86
-_DATA_LENGTH = struct.pack("<L", 4027)
-"""Magic (13 bytes), a header of 4 + 69 bytes, then this length of the padding: the first chunk begins at 4117."""
-
 _END_OF_TIME_NS = 2**32 * 10**9
-_NEVER = 2**62
 _CHUNK_BYTES = 768 * 1024
 """When a chunk is closed before its second is over, as rosbag does."""
 
+_LONGEST = 2**31
+"""The longest message, and the longest description of a connection [bytes]; a chunk has 32 bits for its length."""
 
-class Compression(Enum):
-    """How chunks are compressed; the value is the word that bags use."""
+_u32 = struct.Struct("<I").pack
 
-    NONE = "none"
-    BZ2 = "bz2"
-    LZ4 = "lz4"
+
+class _Written(NamedTuple):
+    """What stands in the file: its last chunk's info, where it ends, how many connections it describes."""
+
+    info: bytes
+    end: int
+    described: int
 
 
 class BagWriter:
@@ -57,7 +64,7 @@ class BagWriter:
 
     Raises:
         TransportError: the bag or its ``.active`` file exists and may not be replaced, or cannot be made.
-        MissingDependencyError: rosbags is not installed.
+        MissingDependencyError: the library for the compression is not installed.
     """
 
     def __init__(
@@ -72,27 +79,36 @@ class BagWriter:
         self.active_path = self.path.with_name(self.path.name + ".active")
         if self.path.exists() and not replace:
             raise TransportError(f"{self.path}: exists already; choose another name or remove it")
-        library = rosbag1()
+        compress(compression, b"")
+        self._compression = compression
         self._period_ns = round(checkpoint_period * 1e9)
-        self._checkpoint_ns: Optional[int] = None
-        self._targets: Dict[Connection, Any] = {}
+        # The chunk takes in what was received from here to before there; nothing before the first message.
+        self._since_ns = self._until_ns = 0
+        self._chunk_bytes = 0
+        self._pending: List[Pending] = []
+        self._targets: Dict[Connection, Target] = {}
+        self._by_number: List[Target] = []
         # Sources hand in the same Connection object again and again: its identity is found faster than its value.
-        self._by_identity: Dict[int, Tuple[Connection, Any]] = {}
+        self._by_identity: Dict[int, Target] = {}
+        self._written: List[_Written] = [_Written(b"", FILE_HEADER_END, 0)]
         self._closed = False
-        self._errors = (library.WriterError, OSError, ValueError, struct.error)
         try:
             if replace and self.active_path.exists():
                 self.active_path.unlink()
-            self._writer = library.Writer(self.active_path)
-            self._writer.chunk_threshold = _NEVER
-            if compression is not Compression.NONE:
-                self._writer.set_compression(library.Writer.CompressionFormat[compression.name])
-            if compression is Compression.LZ4:
-                self._writer.compressor = _lz4_as_ros_reads_it
-            self._writer.open()
-            self._lengthen_header()
-        except self._errors as error:
+            # Unbuffered: what is written once stands in the file, and a chunk that finds no room is taken back.
+            self._file = self.active_path.open("xb", buffering=0)
+        except FileExistsError as error:
+            raise TransportError(
+                f"{self.active_path}: cannot be written: exists already; a recording of this name is under way or was "
+                "never completed, choose another name or remove it"
+            ) from error
+        except OSError as error:
             raise TransportError(f"{self.active_path}: cannot be written: {error}") from error
+        try:
+            self._put(0, MAGIC + file_header(0, 0, 0))
+        except TransportError:
+            self._let_go()
+            raise
 
     def write(self, stamped: Stamped) -> None:
         """Write one message.
@@ -101,58 +117,44 @@ class BagWriter:
             stamped: the message; its connection is written before its first message.
 
         Raises:
-            TransportError: the time does not fit into a bag, the disk is full, or the bag is closed.
+            TransportError: the message does not fit into a bag, the disk is full, or the bag is closed.
         """
         connection, receipt_ns, raw = stamped
-        if self._closed:
-            raise TransportError(f"{self.path}: is closed; a message of {connection.topic} came too late")
-        if not 0 <= receipt_ns < _END_OF_TIME_NS:
+        if not self._since_ns <= receipt_ns < self._until_ns or self._chunk_bytes > _CHUNK_BYTES:
+            self._begin_chunk(connection, receipt_ns)
+        size = len(raw)
+        if size > _LONGEST:
             raise TransportError(
-                f"{self.path}: a message of {connection.topic} at {receipt_ns} ns cannot be written; a bag holds times "
-                f"from 0 to below {_END_OF_TIME_NS} ns"
+                f"{self.path}: a message of {connection.topic} cannot be written; it has {size} bytes, at most "
+                f"{_LONGEST} are accepted"
             )
-        chunk = self._writer.chunks[-1]
-        if (
-            self._checkpoint_ns is None
-            or not 0 <= receipt_ns - self._checkpoint_ns < self._period_ns
-            or chunk.data.tell() > _CHUNK_BYTES
-        ):
-            self.checkpoint()
-            self._checkpoint_ns = receipt_ns
-            chunk = self._writer.chunks[-1]
-        known = self._by_identity.get(id(connection))
-        target = known[1] if known is not None else self._target(connection)
-        mark = chunk.data.tell()
-        try:
-            self._writer.write(target, receipt_ns, raw)
-        except BaseException as error:
-            _undo(chunk, mark)
-            if isinstance(error, self._errors):
-                raise TransportError(
-                    f"{self.path}: a message of {connection.topic} at {receipt_ns} ns cannot be written: {error}"
-                ) from error
-            raise
+        target = self._by_identity.get(id(connection)) or self._target(connection)
+        self._chunk_bytes += MESSAGE_OVERHEAD + size
+        self._pending.append((target, receipt_ns, raw))
 
     def checkpoint(self) -> None:
-        """Bring everything written so far to the file; ``rosbag reindex`` finds it there after a kill.
+        """Bring everything written so far to the file, where it survives this process.
 
         Raises:
-            TransportError: the disk is full or gone.
+            TransportError: the disk is full or gone; nothing is lost but for the process, it may be tried again.
         """
-        chunk = self._writer.chunks[-1]
-        begin = self._writer.bio.tell()
+        if not self._pending:
+            return
+        pending, self._pending = self._pending, []
+        known = len(self._written)
         try:
-            self._writer.write_chunk(chunk)
-            self._writer.bio.flush()
-        except BaseException as error:
-            if not chunk.data.closed:
-                # The bag goes on after an interrupt, and a chunk must stand in the file whole or not at all.
-                self._writer.bio.seek(begin)
-                self._writer.bio.truncate()
-                chunk.pos = -1
-            if isinstance(error, self._errors):
-                raise TransportError(f"{self.active_path}: cannot be written: {error}") from error
-            raise
+            chunk = build_chunk(pending, self._by_number, self._written[-1].described)
+            data = compress(self._compression, chunk.body)
+            head = chunk_header(self._compression.value, len(chunk.body))
+            position = self._written[-1].end
+            end = self._put(position, b"".join((head, _u32(len(data)), data, chunk.indexes)))
+            info = chunk_info(position, chunk.start_ns, chunk.end_ns, chunk.counts)
+            self._written.append(_Written(info, end, chunk.described))
+            self._chunk_bytes = 0
+        finally:
+            # After an interrupt the bag goes on: a chunk counts as written, or its messages wait on.
+            if len(self._written) == known:
+                self._pending[:0] = pending
 
     def close(self) -> None:
         """Write the index and give the bag its name; safe to call twice.
@@ -163,18 +165,21 @@ class BagWriter:
         if self._closed:
             return
         self._closed = True
-        file = self._writer.bio
+        self._until_ns = self._since_ns
         try:
-            self._writer.close()
-            # Closing has rewritten the file header, with the wrong length.
-            with self.active_path.open("r+b") as closed:
-                closed.seek(_DATA_LENGTH_AT)
-                closed.write(_DATA_LENGTH)
+            self.checkpoint()
+            position = self._written[-1].end
+            infos = [written.info for written in self._written]
+            connections = [target.described for target in self._by_number]
+            self._put(position, b"".join(connections + infos))
+            self._put(0, MAGIC + file_header(position, len(connections), len(infos) - 1))
+            self._file.close()
             self.active_path.replace(self.path)
-        except self._errors as error:
-            _let_go(file)
+        except (TransportError, OSError) as error:
+            self._let_go()
             raise TransportError(
-                f"{self.active_path}: cannot be completed: {error}; 'rosbag reindex' finds what it holds"
+                f"{self.active_path}: cannot be completed: {error.__cause__ or error}; "
+                "save what it holds with 'mrta salvage'"
             ) from error
 
     def __enter__(self) -> BagWriter:
@@ -191,60 +196,52 @@ class BagWriter:
             # What went wrong first is what the user must hear of.
             _LOG.warning("bag not completed reason=%s", failure)
 
-    def _target(self, connection: Connection) -> Any:
+    def _begin_chunk(self, connection: Connection, receipt_ns: int) -> None:
+        if self._closed:
+            raise TransportError(f"{self.path}: is closed; a message of {connection.topic} came too late")
+        if not 0 <= receipt_ns < _END_OF_TIME_NS:
+            raise TransportError(
+                f"{self.path}: a message of {connection.topic} at {receipt_ns} ns cannot be written; a bag holds times "
+                f"from 0 to below {_END_OF_TIME_NS} ns"
+            )
+        self.checkpoint()
+        self._since_ns, self._until_ns = receipt_ns, min(receipt_ns + self._period_ns, _END_OF_TIME_NS)
+
+    def _target(self, connection: Connection) -> Target:
         target = self._targets.get(connection)
         if target is None:
-            package, _, message = connection.type.partition("/")
+            number = len(self._by_number)
             try:
-                target = self._targets[connection] = self._writer.add_connection(
-                    connection.topic,
-                    f"{package}/msg/{message}",
-                    msgdef=connection.definition,
-                    md5sum=connection.md5,
-                    callerid=connection.caller or None,
-                    latching=1 if connection.latched else None,
-                )
-            except self._errors as error:
+                described = connection_record(number, connection)
+            except ValueError as error:
                 raise TransportError(f"{self.path}: connection {connection} cannot be written: {error}") from error
-            self._by_identity[id(connection)] = (connection, target)
+            if len(described) > _LONGEST:
+                raise TransportError(
+                    f"{self.path}: connection {connection} cannot be written; its description has {len(described)} "
+                    f"bytes, at most {_LONGEST} are accepted"
+                )
+            target = Target.of(number, described)
+            self._targets[connection] = target
+            self._by_number.append(target)
+            # That key keeps its connection alive, so that no other object takes over its identity.
+            self._by_identity[id(connection)] = target
+            self._chunk_bytes += len(described)
         return target
 
-    def _lengthen_header(self) -> None:
-        file = self._writer.bio
-        if file.tell() != _ROSBAGS_HEADER_END:
-            end = file.tell()
-            _let_go(file)
-            raise TransportError(
-                f"{self.active_path}: rosbags writes a file header that ends at byte {end}, known is "
-                f"{_ROSBAGS_HEADER_END}; install rosbags>=0.9.20,<0.12"
-            )
-        file.write(_PADDING)
-        file.seek(_DATA_LENGTH_AT)
-        file.write(_DATA_LENGTH)
-        file.seek(0, 2)
-        file.flush()
+    def _put(self, position: int, data: bytes) -> int:
+        """Write at a position of the file, and say where it ends; what finds no room is taken back whole."""
+        left = memoryview(data)
+        try:
+            self._file.seek(position)
+            while left:
+                left = left[self._file.write(left) or 0 :]
+        except OSError as error:
+            if position:
+                with suppress(OSError):
+                    self._file.truncate(position)
+            raise TransportError(f"{self.active_path}: cannot be written: {error}") from error
+        return position + len(data)
 
-
-def _let_go(file: BinaryIO) -> None:
-    """Close a file that is given up; what it still holds back may not find room on the disk either."""
-    with suppress(OSError):
-        file.close()
-
-
-def _undo(chunk: Any, mark: int) -> None:
-    """Take back a message that was written by half, so that the index speaks of whole messages only."""
-    chunk.data.seek(mark)
-    chunk.data.truncate()
-    for number in list(chunk.connections):
-        entries = chunk.connections[number]
-        if entries and entries[-1][1] >= mark:
-            entries.pop()
-        if not entries:
-            del chunk.connections[number]
-
-
-def _lz4_as_ros_reads_it(raw: bytes) -> bytes:
-    import lz4.frame
-
-    compressed: bytes = lz4.frame.compress(raw, 0, block_linked=False, content_checksum=True, store_size=False)
-    return compressed
+    def _let_go(self) -> None:
+        with suppress(OSError):
+            self._file.close()

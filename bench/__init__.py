@@ -1,0 +1,1 @@
+"""Comparisons with peers: pure measuring code, for ``mrta bench`` and for engineers."""
