@@ -58,22 +58,24 @@ def test_mission_is_told_from_start_to_end(told: Told) -> None:
             "event=mission_started application=yard architecture=nearest_robot taxonomy=ST-SR-IA robots=2 "
             "tasks=1 seed=4",
         ),
-        ("INFO", 't=2.250 event=allocation_started robot=a task=t state=open text="a has taken t"'),
-        ("WARNING", 't=3.000 event=robot_state robot=b state=offline text="b is offline"'),
-        ("ERROR", 't=3.500 event=incident robot=b state=robot_silent_with_task text="b fell silent"'),
+        ("INFO", 't=2.250 severity=info event=allocation_started robot=a task=t state=open text="a has taken t"'),
+        ("INFO", 't=3.000 severity=warning event=robot_state robot=b state=offline text="b is offline"'),
+        ("INFO", 't=3.500 severity=error event=incident robot=b state=robot_silent_with_task text="b fell silent"'),
         ("INFO", "event=mission_ended seconds=10.500 allocations=1 incidents=1 tasks_done=1"),
     ]
 
 
-@pytest.mark.parametrize(("level", "told_as"), [(1, None), (2, None), (4, "WARNING"), (8, "ERROR"), (16, "ERROR")])
-def test_what_nodes_warn_of_is_told_at_its_level(caplog: pytest.LogCaptureFixture, level: int, told_as: str) -> None:
+@pytest.mark.parametrize(("level", "told_as"), [(1, None), (2, None), (4, "warning"), (8, "error"), (16, "error")])
+def test_what_nodes_warn_of_is_told_with_its_severity(
+    caplog: pytest.LogCaptureFixture, level: int, told_as: str
+) -> None:
     caplog.set_level(logging.DEBUG, "rqt_mrta_py.journal")
     journal = Journal()
     journal.begin(MISSION)
     caplog.clear()
     journal.hear(rosout(level, "stuck"))
-    expected = [] if told_as is None else [(told_as, "stamp=3.000 event=node_warned node=/a/agent text=stuck")]
-    assert [(record.levelname, record.getMessage()) for record in caplog.records] == expected
+    expected = [f"stamp=3.000 severity={told_as} event=node_warned node=/a/agent text=stuck"] if told_as else []
+    assert caplog.messages == expected
 
 
 def test_second_mission_counts_from_its_own_start(told: Told) -> None:
@@ -83,7 +85,9 @@ def test_second_mission_counts_from_its_own_start(told: Told) -> None:
         journal.hear(Heard("/mrta/mission", "rqt_mrta_py/Mission", start, {}))
         journal.hear(Heard("/mrta/mission", "rqt_mrta_py/Mission", start + 1.0, {}))
         journal.hear(rosout(4, "stuck", start + 5.0))
-    assert [text for _, text in told() if "stuck" in text] == ["t=5.000 event=node_warned node=/a/agent text=stuck"] * 2
+    assert [text for _, text in told() if "stuck" in text] == [
+        "t=5.000 severity=warning event=node_warned node=/a/agent text=stuck"
+    ] * 2
 
 
 def test_supervisors_history_is_not_told_twice(told: Told) -> None:

@@ -13,12 +13,6 @@ __all__ = ["Journal"]
 
 _LOG = logging.getLogger("rqt_mrta_py.journal")
 
-_LEVELS: Mapping[Severity, int] = {
-    Severity.INFO: logging.INFO,
-    Severity.WARNING: logging.WARNING,
-    Severity.ERROR: logging.ERROR,
-}
-
 # Of rosgraph_msgs/Log.
 _WARN = 4
 _ERROR = 8
@@ -30,6 +24,9 @@ _ROSOUT = Subscription("/rosout", "rosgraph_msgs/Log", ("level", "name", "msg"))
 
 class Journal:
     """Tells start, events and end of a mission, and what its nodes warn of.
+
+    Everything is logged at INFO, for those who ask for it with ``-v``: that a robot is lost is a fact of the mission,
+    and nothing wrong with the command that tells it. How much it matters stands as ``severity``.
 
     Times are seconds since the stream's start where the stream says when that was, by its first message on
     ``/mrta/mission``; else they are seconds on its clock and stand as ``stamp``. What a supervisor says on /rosout it
@@ -56,11 +53,11 @@ class Journal:
         _LOG.info("%s", facts)
 
     def note(self, event: Event) -> None:
-        """Tell an event, at its severity."""
-        level = _LEVELS[event.severity]
-        if _LOG.isEnabledFor(level):
+        """Tell an event."""
+        if _LOG.isEnabledFor(logging.INFO):
             about = {"robot": event.robot, "task": event.task, "state": event.state, "text": event.text}
-            _LOG.log(level, "%s", line(**self._when(event.time), event=event.kind, **about))
+            severity = event.severity.value
+            _LOG.info("%s", line(**self._when(event.time), severity=severity, event=event.kind, **about))
 
     def end(self, record: MissionRecord) -> None:
         """Tell how long it took, how many tasks are in which state, and what went wrong."""
@@ -89,9 +86,10 @@ class Journal:
             if heard.caller:
                 self._supervisors.add(heard.caller)
         elif heard.fields["level"] >= _WARN and heard.caller not in self._supervisors:
-            level = logging.ERROR if heard.fields["level"] >= _ERROR else logging.WARNING
+            severity = Severity.ERROR if heard.fields["level"] >= _ERROR else Severity.WARNING
             about = {"node": heard.fields["name"], "text": heard.fields["msg"]}
-            _LOG.log(level, "%s", line(**self._when(heard.receipt), event="node_warned", **about))
+            facts = line(**self._when(heard.receipt), severity=severity.value, event="node_warned", **about)
+            _LOG.info("%s", facts)
 
     def _when(self, time: float) -> Mapping[str, float]:
         return {"stamp": time} if self._start is None else {"t": time - self._start}
