@@ -6,6 +6,7 @@ from functools import partial
 from typing import Any, Iterator, List, Optional, Set, Tuple
 
 from rqt_mrta_py.app.chance import Purpose, generator, link_generator
+from rqt_mrta_py.app.guard import makers
 from rqt_mrta_py.app.mission_message import mission_message
 from rqt_mrta_py.app.run_clock import RunClock
 from rqt_mrta_py.app.team import Member, build_team
@@ -18,6 +19,9 @@ from rqt_mrta_py.sim import Simulation, label_of, order_of
 from rqt_mrta_py.transport import Bus
 
 __all__ = ["EmbeddedRun"]
+
+_WORLD = ("capabilities", "reset", "command", "step", "poses", "ranges", "freeze", "close")
+"""What a world must have at the least."""
 
 
 class EmbeddedRun:
@@ -60,10 +64,10 @@ class EmbeddedRun:
         self._simulation = Simulation(
             scenario=self._scenario,
             models=manager.registered("mrta_register_robot_models"),
-            sensors=manager.registered("mrta_register_sensors"),
-            worlds=manager.registered("mrta_register_worlds"),
+            sensors=makers("sensor", manager.registered("mrta_register_sensors"), "rays", "sense"),
+            worlds=makers("world", manager.registered("mrta_register_worlds"), *_WORLD),
             generators={robot.id: generator(seed, robot.id, Purpose.SENSORS) for robot in self._scenario.robots},
-            links=manager.registered("mrta_register_links"),
+            links=makers("link", manager.registered("mrta_register_links"), "deliveries"),
             link_random=partial(link_generator, seed),
         )
         self._paused: Set[str] = set()

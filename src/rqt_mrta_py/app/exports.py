@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterable, List, Mapping, Sequence
+from typing import Any, Dict, List, Mapping, Sequence
 
-from rqt_mrta_py.app.guard import guarded
+from rqt_mrta_py.app.guard import guarded, made, wishes_of
 from rqt_mrta_py.app.outputs import OutputFolder, safe_file_name
 from rqt_mrta_py.errors import HookError, UsageError
 from rqt_mrta_py.hooks import Exporter, ExporterFactory, ExporterSetup, Heard, Subscription
@@ -23,8 +23,7 @@ class _GuardedExporter:
 
     def subscriptions(self) -> List[Subscription]:
         """Say what to hear."""
-        wishes: Iterable[Subscription] = guarded(self._who, self._exporter.subscriptions)
-        return list(wishes)
+        return wishes_of(self._who, self._exporter)
 
     def hear(self, heard: Heard) -> None:
         """Take in one message."""
@@ -68,7 +67,8 @@ def exporters_for(mission: Mission, names: Sequence[str], manager: PluginManager
             known = ", ".join(sorted(factories)) or "none"
             raise UsageError(f"--export {name}: there is no such exporter; there are: {known}")
     setup = ExporterSetup(mission)
-    return {name: _GuardedExporter(name, guarded(f"exporter {name}", factories[name], setup)) for name in names}
+    needs = ("subscriptions", "hear", "export")
+    return {name: _GuardedExporter(name, made(f"exporter {name}", factories[name], setup, *needs)) for name in names}
 
 
 def write_exports(folder: OutputFolder, exporters: Mapping[str, Exporter], record: MissionRecord) -> None:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Iterable, List, TypeVar
+from typing import Any, Callable, Dict, List, Mapping, Tuple, TypeVar
 
+from rqt_mrta_py.config.wording import shown
 from rqt_mrta_py.errors import HookError, MrtaError
-from rqt_mrta_py.hooks import CurvePanel, Heard, MonitorPanel, MonitorView, Renderer, Subscription
+from rqt_mrta_py.hooks import Curve, CurveGroup, CurvePanel, Heard, MonitorPanel, MonitorView, Renderer, Subscription
 
-__all__ = ["GuardedPanel", "guarded", "guarded_renderer"]
+__all__ = ["GuardedPanel", "guarded", "guarded_renderer", "made", "makers", "wishes_of"]
 
 _Answer = TypeVar("_Answer")
 
@@ -35,6 +36,60 @@ def guarded(who: str, ask: Callable[..., _Answer], *arguments: Any) -> _Answer:
         raise HookError(f"{who}: {type(error).__name__}: {error}") from error
 
 
+def made(who: str, factory: Callable[[Any], Any], setup: object, *needs: str) -> Any:
+    """Let a plugin make a part.
+
+    Args:
+        who: names the part.
+        factory: makes it.
+        setup: what it is made from.
+        needs: methods and properties that the part must have.
+
+    Returns:
+        The part.
+
+    Raises:
+        HookError: the factory raised, or made what is no such part.
+    """
+    part = guarded(who, factory, setup)
+    for need in needs:
+        if not guarded(who, hasattr, part, need):
+            raise HookError(f"{who}: made {shown(part)}, which has no {need!r}")
+    return part
+
+
+def makers(kind: str, factories: Mapping[str, Callable[..., Any]], *needs: str) -> Dict[str, Callable[..., Any]]:
+    """Give factories that check what they make, for whoever makes parts out of our sight.
+
+    Args:
+        kind: of the parts, for instance ``sensor``.
+        factories: by name.
+        needs: as for ``made``.
+    """
+
+    def maker(name: str, factory: Callable[..., Any]) -> Callable[..., Any]:
+        return lambda *setup: made(f"{kind} {name}", lambda _: factory(*setup), None, *needs)
+
+    return {name: maker(name, factory) for name, factory in factories.items()}
+
+
+def wishes_of(who: str, listener: Any) -> List[Subscription]:
+    """Ask a plugin's part what it wants to hear.
+
+    Raises:
+        HookError: it raised, or answers anything but subscriptions.
+    """
+    return guarded(who, lambda: [_wish(wish) for wish in listener.subscriptions()])
+
+
+def _wish(wish: object) -> Subscription:
+    if not (isinstance(wish, Subscription) and isinstance(wish.topic, str) and isinstance(wish.type, str)):
+        raise TypeError(f"wants to hear {shown(wish)}; a Subscription is needed")
+    if not isinstance(wish.fields, tuple):
+        raise TypeError(f"wants to hear {shown(wish)}; its fields must be a tuple of paths")
+    return wish
+
+
 class GuardedPanel:
     """A monitor panel whose failures carry its name."""
 
@@ -44,8 +99,7 @@ class GuardedPanel:
 
     def subscriptions(self) -> List[Subscription]:
         """Say what to hear."""
-        wishes: Iterable[Subscription] = guarded(self._who, self._panel.subscriptions)
-        return list(wishes)
+        return wishes_of(self._who, self._panel)
 
     def hear(self, heard: Heard) -> None:
         """Take in one message."""
@@ -53,13 +107,26 @@ class GuardedPanel:
 
     def view(self, start: float, end: float) -> CurvePanel:
         """Give what is to be drawn of the time from ``start`` to ``end`` [s]."""
-        return guarded(self._who, self._panel.view, start, end)
+        view: Any = guarded(self._who, self._panel.view, start, end)
+        if not (isinstance(view, CurvePanel) and all(map(_is_group, view.groups))):
+            raise HookError(f"{self._who}: gives {shown(view)}; a CurvePanel of CurveGroups of Curves is needed")
+        return view
+
+
+def _is_group(group: object) -> bool:
+    return isinstance(group, CurveGroup) and all(isinstance(curve, Curve) for curve in group.curves)
 
 
 def guarded_renderer(name: str, renderer: Renderer) -> Renderer:
     """Give a renderer whose failures carry its name."""
 
     def draw(view: MonitorView) -> Any:
-        return guarded(f"renderer {name}", renderer, view)
+        image = guarded(f"renderer {name}", renderer, view)
+        shape: Tuple[int, ...] = tuple(getattr(image, "shape", ()))
+        dtype = str(getattr(image, "dtype", ""))
+        if len(shape) != 3 or shape[2] != 3 or 0 in shape or dtype != "uint8":
+            found = f"an array of {shape} {dtype}" if dtype else shown(image)
+            raise HookError(f"renderer {name}: drew {found}; an array of (height, width, 3) uint8 is needed")
+        return image
 
     return draw

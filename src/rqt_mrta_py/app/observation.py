@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Dict, List, Mapping, Optional, Sequence
 
-from rqt_mrta_py.app.guard import GuardedPanel, guarded
+from rqt_mrta_py.app.guard import GuardedPanel, made
 from rqt_mrta_py.app.observers import observers_of
 from rqt_mrta_py.hooks import (
     AllocationInterpreter,
@@ -135,11 +135,15 @@ def _interpreter(mission: Mission, manager: PluginManager) -> Optional[Allocatio
         return None
     robots = tuple(robot.id for robot in mission.application.robots)
     setup = InterpreterSetup(robots, tuple(task.id for task in mission.tasks))
-    return guarded(f"allocation interpreter of {package}", factories[package], setup)
+    interpreter: AllocationInterpreter = made(
+        f"allocation interpreter of {package}", factories[package], setup, "subscriptions", "hear"
+    )
+    return interpreter
 
 
 def _panels(mission: Mission, manager: PluginManager) -> List[GuardedPanel]:
     factories: Dict[str, MonitorPanelFactory] = manager.registered("mrta_register_monitor_panels")
     names = [name for name in mission.architecture.widgets if name in factories]
     setup = PanelSetup(mission)
-    return [GuardedPanel(name, guarded(f"monitor panel {name}", factories[name], setup)) for name in names]
+    needs = ("subscriptions", "hear", "view")
+    return [GuardedPanel(name, made(f"monitor panel {name}", factories[name], setup, *needs)) for name in names]

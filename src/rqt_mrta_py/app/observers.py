@@ -5,8 +5,10 @@ from __future__ import annotations
 import logging
 from typing import List, Mapping, Optional, Sequence
 
+from rqt_mrta_py.app.guard import made, wishes_of
 from rqt_mrta_py.hooks import Heard, Listener, MessageObserverFactory, ObserverSetup, Subscription
 from rqt_mrta_py.hooks.manager import PluginManager
+from rqt_mrta_py.hooks.patience import Patience
 from rqt_mrta_py.model import Mission
 
 __all__ = ["observers_of"]
@@ -17,11 +19,14 @@ _log = logging.getLogger("rqt_mrta_py.app")
 class _IsolatedObserver:
     """An observer that hears no more once it has raised."""
 
-    def __init__(self, name: str, factory: MessageObserverFactory, setup: ObserverSetup) -> None:
+    def __init__(self, name: str, factory: MessageObserverFactory, setup: ObserverSetup, patience: Patience) -> None:
         self._name = name
+        self._who = f"message observer {name}"
+        self._patience = patience
         self._observer: Optional[Listener] = None
         try:
-            self._observer = factory(setup)
+            with patience.limit(self._who):
+                self._observer = made(self._who, factory, setup, "subscriptions", "hear")
         except Exception:  # noqa: BLE001 - an observer never stops what it observes
             self._drop()
 
@@ -30,7 +35,8 @@ class _IsolatedObserver:
         if self._observer is None:
             return []
         try:
-            return [Subscription(*wish) for wish in self._observer.subscriptions()]
+            with self._patience.limit(self._who):
+                return wishes_of(self._who, self._observer)
         except Exception:  # noqa: BLE001 - the same
             self._drop()
             return []
@@ -40,7 +46,8 @@ class _IsolatedObserver:
         if self._observer is None:
             return
         try:
-            self._observer.hear(heard)
+            with self._patience.limit(self._who):
+                self._observer.hear(heard)
         except Exception:  # noqa: BLE001 - the same
             self._drop()
 
@@ -61,4 +68,4 @@ def observers_of(mission: Mission, manager: PluginManager) -> Sequence[Listener]
     """
     factories: Mapping[str, MessageObserverFactory] = manager.registered("mrta_register_message_observers")
     setup = ObserverSetup(mission)
-    return [_IsolatedObserver(name, factories[name], setup) for name in sorted(factories)]
+    return [_IsolatedObserver(name, factories[name], setup, manager.patience) for name in sorted(factories)]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import List, Mapping, Tuple
 
 from rqt_mrta_py.app.chance import Purpose, generator
-from rqt_mrta_py.app.guard import guarded
+from rqt_mrta_py.app.guard import made
 from rqt_mrta_py.errors import RobotError, UsageError
 from rqt_mrta_py.hooks import (
     AgentFactory,
@@ -26,6 +26,11 @@ from rqt_mrta_py.transport import Bus, Node
 from rqt_mrta_py.transport.patterns import TopicPattern, resolve_topic
 
 __all__ = ["Member", "build_team"]
+
+_AGENT = ("rate", "subscriptions", "step")
+_BEHAVIOUR = ("subscriptions", "applicable", "cost", "start", "step")
+_PLANNER = ("path", "cost_field", "observe")
+"""What each of these must have."""
 
 
 @dataclass(frozen=True)
@@ -114,7 +119,7 @@ def _host(mission: Mission, seed: int, robot_id: str, simulation: Simulation, pa
     behaviour_setup = BehaviourSetup(
         robot_id=robot_id,
         model=model,
-        navigator=guarded(f"{robot_id}: planner {scenario.planner}", planner, planner_setup),
+        navigator=made(f"{robot_id}: planner {scenario.planner}", planner, planner_setup, *_PLANNER),
         random=generator(seed, robot_id, Purpose.BEHAVIOUR),
     )
     agent_setup = AgentSetup(
@@ -136,9 +141,10 @@ def _host(mission: Mission, seed: int, robot_id: str, simulation: Simulation, pa
             )
     behaviours = {}
     for kind in sorted({task.kind for task in (*tasks, *later_tasks)}):
-        behaviours[kind] = guarded(f"{robot_id}: behaviour {kind!r}", parts.behaviours[kind], behaviour_setup)
+        who = f"{robot_id}: behaviour {kind!r}"
+        behaviours[kind] = made(who, parts.behaviours[kind], behaviour_setup, *_BEHAVIOUR)
     package = mission.architecture.package
-    agent = guarded(f"{robot_id}: agent of {package}", _agent_factory(package, parts.agents), agent_setup)
+    agent = made(f"{robot_id}: agent of {package}", _agent_factory(package, parts.agents), agent_setup, *_AGENT)
     own = {task.id for task in (*tasks, *later_tasks)}
     capabilities = model.capabilities.union(*(robot.capabilities for robot in scenario.robots if robot.id == robot_id))
     return RobotHost(

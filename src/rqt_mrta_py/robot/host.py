@@ -209,7 +209,8 @@ class RobotHost:
         self._heard.clear()
         decision = self._guard(self._agent_name, lambda: _checked(self._agent.step(situation), Decision))
         self._guard(self._agent_name, lambda: _extend(says, decision.messages))
-        self._follow(decision.task, says)
+        chosen = decision.task
+        self._follow(chosen if chosen is None else self._guard(self._agent_name, lambda: _checked(chosen, str)), says)
 
     def _applicable(self) -> Dict[str, bool]:
         applicable = {}
@@ -314,4 +315,6 @@ def _checked(value: _Result, wanted: type) -> _Result:
 
 
 def _extend(says: List[Outgoing], messages: Iterable[Outgoing]) -> None:
-    says.extend(_checked(message, Outgoing) for message in messages)
+    for message in messages:
+        _checked(_checked(message, Outgoing).topic, str)
+        says.append(message)

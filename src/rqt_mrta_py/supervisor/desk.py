@@ -9,7 +9,7 @@ from typing import Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import Fact, Heard, IncidentRule
 from rqt_mrta_py.model import Evidence, Incident, Severity
-from rqt_mrta_py.supervisor.failures import failure
+from rqt_mrta_py.supervisor.failures import checked, failure
 
 __all__ = ["Desk"]
 
@@ -30,7 +30,7 @@ class _Entry:
     built: Optional[Incident] = None
 
     def add(self, evidence: Sequence[Evidence]) -> None:
-        self.evidence.update(dict.fromkeys(evidence))
+        self.evidence.update(dict.fromkeys(checked("evidence", each, Evidence) for each in evidence))
 
     def incident(self, end: float) -> Incident:
         if self.built is not None:
@@ -71,6 +71,10 @@ class _Board:
     ) -> None:
         if key in self._open:
             return
+        checked("a severity", severity, Severity)
+        checked("a text", text, str)
+        if not math.isfinite(start):
+            raise ValueError(f"a start of {start!r} s; it must be finite")
         entry = _Entry(self._rule, severity, start, text, tuple(sorted(set(robots))), tuple(sorted(set(tasks))))
         entry.add(evidence)
         self._open[key] = entry
@@ -79,13 +83,15 @@ class _Board:
     def amend(self, key: str, text: str, evidence: Sequence[Evidence] = ()) -> None:
         entry = self._open.get(key)
         if entry is not None:
-            entry.text = text
+            entry.text = checked("a text", text, str)
             entry.add(evidence)
 
     def close(self, key: str, end: float, text: Optional[str] = None, evidence: Sequence[Evidence] = ()) -> None:
         entry = self._open.pop(key, None)
         if entry is not None:
-            entry.text = entry.text if text is None else text
+            if not math.isfinite(end):
+                raise ValueError(f"an end of {end!r} s; it must be finite")
+            entry.text = entry.text if text is None else checked("a text", text, str)
             entry.end = end
             entry.add(evidence)
             self._desk.take_down(entry)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Callable, FrozenSet, List, Optional, Sequence, Tuple
 
-from rqt_mrta_py.hooks import EVERYTHING, AllocationInterpreter, Heard, Subscription
+from rqt_mrta_py.hooks import EVERYTHING, AllocationInterpreter, AllocationSign, Heard, Subscription
 from rqt_mrta_py.model import ArchitectureSpec, Progress, RobotState, normalise_id
-from rqt_mrta_py.supervisor.failures import failure
+from rqt_mrta_py.supervisor.failures import checked, failure
 from rqt_mrta_py.supervisor.presence import Presence
 from rqt_mrta_py.supervisor.sources import (
     STAMP,
@@ -123,7 +123,7 @@ class Ears:
         def hear(heard: Heard) -> None:
             self._enter(heard)
             try:
-                signs = tuple(reads.hear(heard))
+                signs = tuple(checked("a sign", sign, AllocationSign) for sign in reads.hear(heard))
             except Exception as error:
                 raise failure(who, error, f"hearing {heard.topic}") from error
             for sign in signs:
@@ -131,7 +131,7 @@ class Ears:
                 self._statements.signed(sign, heard)
 
         try:
-            return [(subscription, hear) for subscription in interpreter.subscriptions()]
+            return [(checked("a wish", wish, Subscription), hear) for wish in interpreter.subscriptions()]
         except Exception as error:
             raise failure(who, error, "subscribing") from error
 

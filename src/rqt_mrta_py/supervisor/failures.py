@@ -2,9 +2,24 @@
 
 from __future__ import annotations
 
+from typing import TypeVar
+
 from rqt_mrta_py.errors import HookError
 
-__all__ = ["failure"]
+__all__ = ["checked", "failure"]
+
+_Value = TypeVar("_Value")
+
+
+def checked(what: str, value: _Value, wanted: type) -> _Value:
+    """Give a plugin's answer back if it is of a type.
+
+    Raises:
+        TypeError: it is not; says what was answered and what is accepted.
+    """
+    if not isinstance(value, wanted):
+        raise TypeError(f"{what} is {value!r}; accepted is {wanted.__name__}")
+    return value
 
 
 def failure(who: str, error: Exception, doing: str = "") -> HookError:

@@ -24,7 +24,7 @@ from rqt_mrta_py.hooks import (
 from rqt_mrta_py.model import Event, Incident, Mission, MissionRecord
 from rqt_mrta_py.supervisor.desk import Desk
 from rqt_mrta_py.supervisor.ears import Callback, Ears, Topics
-from rqt_mrta_py.supervisor.failures import failure
+from rqt_mrta_py.supervisor.failures import checked, failure
 from rqt_mrta_py.supervisor.journal import event_of_fact, event_of_incident, event_of_unreadable
 from rqt_mrta_py.supervisor.news import event_news, fact_news, incident_news, team_news
 from rqt_mrta_py.supervisor.team import Team, TeamSetup
@@ -246,7 +246,7 @@ def _made(name: str, factory: IncidentRuleFactory, mission: Mission) -> Incident
 
 def _wishes(name: str, rule: IncidentRule) -> Sequence[Subscription]:
     try:
-        return tuple(rule.subscriptions())
+        return tuple(checked("a wish", wish, Subscription) for wish in rule.subscriptions())
     except Exception as error:
         raise failure(f"incident rule {name}", error, "subscribing") from error
 

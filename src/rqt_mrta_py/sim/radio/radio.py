@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Dict, FrozenSet, Optional, Sequence, Set, Tuple
 
+from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import Link
 
 __all__ = ["Radio"]
@@ -48,7 +49,11 @@ class Radio:
         self._groups = None
 
     def deliveries(self, sender: str, receiver: str, now: float) -> Sequence[float]:
-        """Tell when the copies of a message arrive."""
+        """Tell when the copies of a message arrive.
+
+        Raises:
+            SimError: the link answers what are no delays; names it.
+        """
         if sender == receiver:
             return _AT_ONCE
         if sender in self._failed or receiver in self._failed:
@@ -58,4 +63,14 @@ class Radio:
         groups = self._groups
         if groups is not None and groups.get(sender, _NOBODY).isdisjoint(groups.get(receiver, _NOBODY)):
             return _LOST
-        return self.link.deliveries(sender, receiver, now)
+        delays = self.link.deliveries(sender, receiver, now)
+        try:
+            fits = all(delay >= 0.0 for delay in delays)
+        except TypeError:
+            fits = False
+        if not fits:
+            raise SimError(
+                f"link {type(self.link).__name__}: answered {delays!r} for a message from {sender!r} to {receiver!r}; "
+                "delays of at least 0 s are accepted"
+            )
+        return delays
