@@ -32,6 +32,5 @@ class Copies(Dict[str, _Watch]):
 def shown(watches: Dict[str, _Watch]) -> Iterable[_Watch]:
     """Give watches in their order; of copies the originals where nothing was touched."""
     if isinstance(watches, Copies):
-        originals: Mapping[str, _Watch] = watches.originals
-        return [watches[each] if each in watches else original for each, original in originals.items()]
+        return {**watches.originals, **watches}.values()
     return watches.values()
