@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 from heapq import heapify, heappop, heappush
-from typing import AbstractSet, Dict, List, Mapping, Optional, Sequence, Set, Tuple
+from typing import AbstractSet, Dict, Iterator, List, Mapping, Optional, Sequence, Set, Tuple
 
 import numpy as np
 
-from nearest_robot.bids import Bid
+from nearest_robot.bids import Bid, Offer
 from rqt_mrta_py.hooks import AllocationProblem, Allocator
 from rqt_mrta_py.model import Task
 
@@ -40,8 +40,9 @@ def merged_order(orders: Sequence[Sequence[str]]) -> Tuple[str, ...]:
     Args:
         orders: ids, each list without repetition.
     """
-    after: Dict[str, Set[str]] = {task: set() for order in orders for task in order}
-    for order in orders:
+    different = tuple(dict.fromkeys(map(tuple, orders)))
+    after: Dict[str, Set[str]] = {task: set() for order in different for task in order}
+    for order in different:
         for first, second in zip(order, order[1:]):
             after[first].add(second)
     before = dict.fromkeys(after, 0)
@@ -91,20 +92,26 @@ def allot(
             needed[bid.ordered] -= 1
     free = [bid for bid in bids if bid.robot not in allotted]
     tasks = [task for task in merged_order(offered) if needed[task] > 0]
-    costs = np.full((len(free), len(tasks)), np.inf, dtype=np.float64)
-    for row, bid in enumerate(free):
-        for column, task in enumerate(tasks):
-            if task in bid.offers:
-                costs[row, column] = kept_cost(bid.offers[task].cost, bid.holding == task, keep)
+    rows = [
+        [kept_cost(offer.cost, bid.holding == task, keep) if offer else np.inf for task, offer in _asked(bid, tasks)]
+        for bid in free
+    ]
+    costs = np.array(rows, dtype=np.float64).reshape(len(free), len(tasks))
     described = tuple(_described(known.get(task), task, needed[task]) for task in tasks)
     pairs = allocator(AllocationProblem(tuple(bid.robot for bid in free), described, costs)) if free and tasks else ()
+    waiting = {bid.robot for bid in free}
     for task, robot in pairs:
-        if task not in tasks or robot in allotted or all(bid.robot != robot for bid in free):
+        if task not in tasks or robot not in waiting:
             raise ValueError(
                 f"the allocator gives {task!r} to {robot!r}; each robot that is free may get one open task"
             )
+        waiting.remove(robot)
         allotted[robot] = task
     return allotted
+
+
+def _asked(bid: Bid, tasks: Sequence[str]) -> Iterator[Tuple[str, Optional[Offer]]]:
+    return zip(tasks, map(bid.offers.get, tasks))
 
 
 def _described(task: Optional[Task], task_id: str, robots: int) -> Task:
