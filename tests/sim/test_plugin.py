@@ -7,8 +7,9 @@ import pluggy
 from rqt_mrta_py.hooks import PROJECT, HookSpecs
 from rqt_mrta_py.sim import plugin
 from rqt_mrta_py.sim.bullet import BulletWorld
+from rqt_mrta_py.sim.planar import PlanarWorld
 from rqt_mrta_py.sim.radio import LossyLink, PerfectLink
-from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
+from rqt_mrta_py.sim.robot_models import DIFF_DRIVE, OMNI_DRIVE
 from rqt_mrta_py.sim.sensors import Localiser, Odometry, RangeFinder
 from tests.sim.radio.support import link_setup
 from tests.sim.sensors.support import context
@@ -22,8 +23,8 @@ def test_plugin_keeps_the_contract_and_registers_what_the_room_brings():
     (worlds,) = manager.hook.mrta_register_worlds()
     (models,) = manager.hook.mrta_register_robot_models()
     (sensors,) = manager.hook.mrta_register_sensors()
-    assert isinstance(worlds["bullet"](), BulletWorld)
-    assert models == {"diff_drive": DIFF_DRIVE}
+    assert {name: type(factory()) for name, factory in worlds.items()} == {"bullet": BulletWorld, "planar": PlanarWorld}
+    assert models == {"diff_drive": DIFF_DRIVE, "omni_drive": OMNI_DRIVE}
     kinds = {kind: type(factory(context(kind, "topic"))) for kind, factory in sensors.items()}
     assert kinds == {"localiser": Localiser, "odometry": Odometry, "range_finder": RangeFinder}
 
@@ -33,6 +34,12 @@ def test_diff_drive_fits_into_its_own_radius():
     wheel = DIFF_DRIVE.track / 2 + DIFF_DRIVE.wheel_radius
     assert max(corner, wheel) <= DIFF_DRIVE.radius
     assert 2 * DIFF_DRIVE.wheel_radius < DIFF_DRIVE.sensor_height < DIFF_DRIVE.height
+
+
+def test_omni_drive_fits_into_its_own_radius_wheels_and_all():
+    assert math.hypot(OMNI_DRIVE.length / 2, OMNI_DRIVE.width / 2) <= OMNI_DRIVE.radius
+    assert OMNI_DRIVE.track <= OMNI_DRIVE.width
+    assert 2 * OMNI_DRIVE.wheel_radius < OMNI_DRIVE.sensor_height < OMNI_DRIVE.height
 
 
 def test_plugin_registers_the_radios_of_the_room():

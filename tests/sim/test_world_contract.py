@@ -255,6 +255,54 @@ def test_ranges_take_no_rays(world):
     assert world.ranges(["r0"], np.zeros(0), 4.0)[0].shape == (0,)
 
 
+def test_ranges_of_several_robots_are_those_of_each_in_the_order_asked(world):
+    rock = Obstacle("rock", Pose(0.5, 0.5, 0.3), (0.5, 0.3, 0.4))
+    starts = [Pose(0.0, -1.0, 0.2), Pose(1.5, 1.0, 2.0), Pose(-1.0, 0.3, -1.0)]
+    world.reset(setup(*starts, obstacles=[rock]))
+    bearings = np.linspace(-3.0, 3.0, 25)
+    alone = np.array([world.ranges([f"r{index}"], bearings, 4.0)[0] for index in range(3)])
+    np.testing.assert_array_equal(world.ranges(["r2", "r0"], bearings, 4.0), alone[[2, 0]])
+    assert world.ranges([], bearings, 4.0).shape == (0, 25)
+
+
+def test_ranges_of_an_unknown_robot_are_refused_by_name(world):
+    world.reset(setup(Pose(0.0, 0.0)))
+    with pytest.raises(SimError, match="robot r7: not in this world; there are: r0"):
+        world.ranges(["r0", "r7"], np.zeros(3), 4.0)
+
+
+def test_ranges_do_not_change_what_they_are_given(world):
+    world.reset(setup(Pose(0.0, 0.0), Pose(1.0, 0.0)))
+    bearings = np.array([2.0, -9.0, 0.0])
+    world.ranges(["r1", "r0"], bearings, 4.0)
+    assert bearings.tolist() == [2.0, -9.0, 0.0]
+
+
+def test_bearings_may_be_in_any_order_and_beyond_a_turn(world):
+    world.reset(setup(Pose(1.0, 0.0), Pose(2.0, 0.0)))
+    near, far = 1.0 - FRONT, 4.0
+    measured = world.ranges(["r0"], np.array([2 * math.pi, math.pi, 0.0, -3 * math.pi, 0.0, -2 * math.pi]), 10.0)[0]
+    np.testing.assert_allclose(measured, [near, far, near, far, near, near], atol=3e-3)
+
+
+def test_loose_body_is_seen_where_it_is_and_over_its_top(world):
+    world.reset(setup(Pose(-1.0, 0.0)))
+    world.add_body(replace(BLOCK, position=(0.0, 0.0, 0.1)))
+    assert world.ranges(["r0"], np.zeros(1), 4.0)[0][0] == pytest.approx(1.0 - 0.1, abs=3e-3)
+    world.remove_body("block")
+    world.add_body(replace(BLOCK, position=(0.0, 0.0, 0.05), size=(0.2, 0.2, 0.1)))
+    assert world.ranges(["r0"], np.zeros(1), 4.5)[0][0] == pytest.approx(4.0, abs=3e-3)
+
+
+def test_robots_that_start_in_each_other_come_apart_and_stay_in_the_arena(world):
+    world.reset(setup(Pose(0.0, 0.0), Pose(0.1, 0.05, 1.0), Pose(2.9, -1.0, 0.5)))
+    run(world, 2.0)
+    poses = world.poses()
+    assert np.isfinite(poses).all()
+    assert math.hypot(*(poses[0] - poses[1])[:2]) > DIFF_DRIVE.width - 0.01
+    assert np.abs(poses[:, :2]).max() < 3.0 - DIFF_DRIVE.width / 2 + 0.01
+
+
 def test_body_is_pushed_ahead_of_a_robot(world):
     world.reset(setup(Pose(0.0, 0.0)))
     world.add_body(BLOCK)

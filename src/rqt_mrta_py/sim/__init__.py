@@ -1,6 +1,8 @@
 """Simulated missions: worlds, and the robots' hardware in them.
 
 * ``bullet``: BulletWorld, wheels and contacts in PyBullet
+* ``planar``: PlanarWorld, thousands of robots seen from above, in NumPy
+* ``world_checks``: what every world of this room refuses
 * ``robot_models``: the kinds of robots that this room brings
 * ``sensors``: range finder, odometry, localiser; one file each
 * ``simulated_robot``: one robot's hardware as a node: sensors, transforms, ``cmd_vel``

@@ -29,9 +29,9 @@ def mrta_register_worlds() -> Mapping[str, WorldFactory]:
 @hookimpl
 def mrta_register_robot_models() -> Mapping[str, RobotModel]:
     """Name the robot models of this room."""
-    from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
+    from rqt_mrta_py.sim.robot_models import DIFF_DRIVE, OMNI_DRIVE
 
-    return {DIFF_DRIVE.name: DIFF_DRIVE}
+    return {model.name: model for model in (DIFF_DRIVE, OMNI_DRIVE)}
 
 
 @hookimpl

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rqt_mrta_py.hooks import RobotModel
 
-__all__ = ["DIFF_DRIVE"]
+__all__ = ["DIFF_DRIVE", "OMNI_DRIVE"]
 
 DIFF_DRIVE = RobotModel(
     name="diff_drive",
@@ -24,3 +24,21 @@ DIFF_DRIVE = RobotModel(
     capabilities=frozenset({"drive", "range"}),
 )
 """A small robot on two driven wheels and two casters."""
+
+OMNI_DRIVE = RobotModel(
+    name="omni_drive",
+    drive="omni",
+    length=0.30,
+    width=0.30,
+    height=0.14,
+    # Over the corners; the wheels lie under the body.
+    radius=0.22,
+    mass=6.4,
+    wheel_radius=0.05,
+    track=0.24,
+    max_speed=0.5,
+    max_turn_rate=2.0,
+    sensor_height=0.12,
+    capabilities=frozenset({"drive", "range"}),
+)
+"""A small robot on four mecanum wheels, which drives in any direction without turning."""

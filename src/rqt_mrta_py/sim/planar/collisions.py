@@ -77,7 +77,11 @@ class Collisions:
         return tuple(sorted(Contact(min(pair), max(pair)) for pair in pairs))
 
     def _part(self, among: Meetings, mobility: Floats, backs: Floats) -> None:
-        """Push pairs apart by their masses; what is pushed from several sides takes the mean."""
+        """Push pairs apart by their masses.
+
+        Of n pushes a thing takes the sum over the root of n: the sum overshoots where they agree, and by their mean it
+        would take many rounds to come out from between others.
+        """
         crowd = self._crowd
         movers = np.stack((crowd.carrier[among.first], crowd.carrier[among.second]))
         away = np.stack((among.away, -among.away), axis=1)
@@ -94,7 +98,7 @@ class Collisions:
         way = away * (share * among.depth)
         for axis in (0, 1):
             total = np.bincount(movers.ravel(), weights=way[axis].ravel(), minlength=mobility.size)
-            crowd.poses[axis] += total / np.maximum(pushes, 1)
+            crowd.poses[axis] += total / np.sqrt(np.maximum(pushes, 1))
         crowd.carry()
 
     def _push_out(self, inside: Meetings, mobility: Floats, backs: Floats) -> None:

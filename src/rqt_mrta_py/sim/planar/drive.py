@@ -72,6 +72,19 @@ class Drive:
         yaw = poses[2] + turn
         poses[2] = yaw - 2 * np.pi * np.ceil((yaw - np.pi) / (2 * np.pi))
 
+    def hold_up(self, pushes: Floats, yaw: Floats, duration: float) -> None:
+        """Slow robots down, at most to a stand, by what they were pushed back.
+
+        Args:
+            pushes: in the frame ``map`` [m], shape (2, robots).
+            yaw: headings [rad], shape (robots,).
+            duration: in which they were pushed [s].
+        """
+        cos, sin = np.cos(yaw), np.sin(yaw)
+        gained = np.stack((cos * pushes[0] + sin * pushes[1], cos * pushes[1] - sin * pushes[0])) / duration
+        speeds = self._speeds[:2]
+        self._speeds[:2] = np.clip(speeds + gained, np.minimum(speeds, 0.0), np.maximum(speeds, 0.0))
+
     def _within_limits(self) -> Floats:
         """Bring the commands within the models' limits, keeping the direction of travel."""
         vx, vy, wz = np.array(self._commands, dtype=np.float64).reshape(3, self._count)

@@ -51,12 +51,16 @@ class Scene:
     def step(self) -> None:
         """Let one tick pass, in as many parts as it takes that nothing passes through anything."""
         crowd, parts = self.crowd, self._sub_steps()
+        duration = self._tick / parts
+        robots = crowd.poses[:, : crowd.robots]
         for _ in range(parts):
             before = crowd.poses.copy()
-            self.drive.advance(crowd.poses[:, : crowd.robots], crowd.is_frozen, self._tick / parts)
+            self.drive.advance(robots, crowd.is_frozen, duration)
+            driven = robots[:2].copy()
             crowd.carry()
             crowd.note_turns()
             self.collisions.resolve(before)
+            self.drive.hold_up(robots[:2] - driven, robots[2], duration)
         self.sight.forget()
 
     def _sub_steps(self) -> int:
