@@ -52,6 +52,20 @@ def test_robot_at_full_speed_gets_no_deeper_into_a_wall_than_in_one_step(world, 
     assert 0.0 < deepest < 0.0125
 
 
+def test_robots_and_loose_bodies_stand_on_one_floor_each(world):
+    """Both once stood on both floors, which doubled the contacts and the time they take."""
+    world.reset(setup(Pose(0.0, 0.0)))
+    world.add_body(Body("block", (1.0, 0.0, 0.1), 0.0, (0.2, 0.2, 0.2), 0.5))
+    run(world, 1.0)
+    engine = world._engine
+    stood_on = {}
+    for _, first, second, *_ in engine.bullet.getContactPoints(physicsClientId=engine.client):
+        name, floor = (first, second) if first in world._names else (second, first)
+        stood_on.setdefault(world._names[name], set()).add(floor)
+    assert {name: len(floors) for name, floors in stood_on.items()} == {"r0": 1, "block": 1}
+    assert stood_on["r0"] != stood_on["block"]
+
+
 def test_loose_bodies_lie_still_flat_and_on_one_another(world):
     """On a plane, Bullet once let them turn by themselves and sink by a third of their height."""
     world.reset(setup(Pose(2.0, 0.0)))
@@ -64,7 +78,7 @@ def test_loose_bodies_lie_still_flat_and_on_one_another(world):
         world.add_body(body)
     run(world, 5.0)
     for body, state in zip(bodies, world.bodies().values()):
-        np.testing.assert_allclose(state.position, body.position, atol=2e-3)
+        np.testing.assert_allclose(state.position, body.position, atol=5e-3)
         flat = (0.0, 0.0, math.sin(body.yaw / 2), math.cos(body.yaw / 2))
         np.testing.assert_allclose(state.orientation, flat, atol=5e-3)
 

@@ -71,7 +71,7 @@ def test_robots_see_what_the_rays_of_pybullet_hit(world, height):
         alike = np.where(both, np.abs(mine - theirs) < TOLERANCE, np.isinf(mine) & np.isinf(theirs))
     assert compared.sum() > 400
     assert len(np.unique(theirs[both].round(1))) > 15, "a scene with little in it says little"
-    assert np.mean(alike[compared]) > 0.99
+    assert np.mean(alike[compared]) > 0.98
 
 
 def test_tumbled_block_is_seen_as_it_lies(world):

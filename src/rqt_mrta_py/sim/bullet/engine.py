@@ -66,6 +66,8 @@ class Engine:
             contactBreakingThreshold=_CONTACT_BREAKING_THRESHOLD,
             # Two friction forces, each on its own, take a tenth less time, and wheels hold as well.
             enableConeFriction=0,
+            # Things collide if each accepts the other's group; PyBullet's own rule is: if either does.
+            collisionFilterMode=0,
             # Without it, runs that begin in equal states drift apart.
             deterministicOverlappingPairs=1,
             physicsClientId=self.client,
