@@ -57,6 +57,7 @@ class Topic:
         ordinals: numbers its messages from 0.
         version: changes with everybody who begins to hear it.
         receivers: of its messages, by type and definition, for this version.
+        groups: the subscriptions that mean it, with what the tokens stand for.
     """
 
     __slots__ = ("groups", "name", "ordinals", "receivers", "version")
