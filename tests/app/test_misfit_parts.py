@@ -1,0 +1,221 @@
+"""Parts made by plugins that raise, take for ever, or are and answer what does not fit: one line that names them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.app.outputs import Mrta
+
+IMPORTS = "from rqt_mrta_py.hooks import *\nfrom rqt_mrta_py.model import *\n\n\n"
+AGENT = """
+class Part:
+    rate = 10.0
+
+    def __init__(self, setup):
+        pass
+
+    def subscriptions(self):
+        return ()
+
+    def step(self, situation):
+        return {answer}
+"""
+BEHAVIOUR = """
+class Part:
+    def __init__(self, setup):
+        pass
+
+    def subscriptions(self):
+        return {wishes}
+
+    def applicable(self, task, perception):
+        return {answer}
+
+    def cost(self, task, perception):
+        return None
+
+    def start(self, task, perception):
+        pass
+
+    def step(self, task, perception):
+        return BehaviourStep()
+"""
+LISTENER = """
+class Part:
+    rays = None
+
+    def __init__(self, setup):
+        pass
+
+    def subscriptions(self):
+        return {wishes}
+
+    def hear(self, heard, board=None):
+        return {answer}
+
+    def notice(self, fact, board):
+        pass
+
+    def wake(self, time, board):
+        {answer}
+
+    def finish(self, time, board):
+        pass
+
+    def view(self, start, end):
+        return {answer}
+
+    def export(self, record):
+        return {answer}
+
+    def sense(self, moment):
+        return {answer}
+"""
+
+
+def plugin(hook: str, name: str, part: str, factory: str = "Part", **parts: str) -> str:
+    """Write a plugin that registers one part."""
+    registers = f"@hookimpl\ndef mrta_register_{hook}():\n    return {{{name!r}: {factory}}}\n"
+    return IMPORTS + part.format(**{"answer": "None", "wishes": "()", **parts}) + "\n\n" + registers
+
+
+PANEL_NAME = "rqt_alliance/alliance_plugin"
+ODOM = "[Subscription('/robot1/odom')]"
+MISFITS = {
+    "agent, no answer": (
+        plugin("agents", "mrta_alliance", AGENT),
+        "robot1: agent Part failed at 1.000 s: TypeError: answered None; accepted is Decision",
+    ),
+    "agent, no task": (
+        plugin("agents", "mrta_alliance", AGENT, answer="Decision(['wander'])"),
+        "robot1: agent Part failed at 1.000 s: TypeError: answered ['wander']; accepted is str",
+    ),
+    "agent, none made": (
+        plugin("agents", "mrta_alliance", AGENT, "lambda setup: None"),
+        "robot1: agent of mrta_alliance: made None, which has no 'rate'",
+    ),
+    "behaviour, none made": (
+        plugin("behaviours", "wander", BEHAVIOUR, "lambda setup: None"),
+        "robot1: behaviour 'wander': made None, which has no 'subscriptions'",
+    ),
+    "behaviour that raises": (
+        plugin("behaviours", "wander", BEHAVIOUR, answer="1 / 0"),
+        "robot1: behaviour 'wander' on task 'wander' cannot begin: ZeroDivisionError: division by zero",
+    ),
+    "planner, none made": (
+        plugin("planners", "astar", "", "lambda setup: None"),
+        "robot1: planner astar: made None, which has no 'path'",
+    ),
+    "world that raises": (
+        plugin("worlds", "bullet", "", "lambda: 1 / 0"),
+        "world bullet: ZeroDivisionError: division by zero",
+    ),
+    "world, none made": (
+        plugin("worlds", "bullet", "", "lambda: None"),
+        "world bullet: made None, which has no 'capabilities'",
+    ),
+    "sensor, none made": (
+        plugin("sensors", "odometry", "", "lambda context: None"),
+        "sensor odometry: made None, which has no 'rays'",
+    ),
+    "sensor that raises": (
+        plugin("sensors", "odometry", LISTENER, answer="1 / 0"),
+        "the mission's tick at 0 s: ZeroDivisionError: division by zero, in sense ({file}:{line})",
+    ),
+    "link, none made": (
+        plugin("links", "perfect", "", "lambda setup: None"),
+        "link perfect: made None, which has no 'deliveries'",
+    ),
+    "interpreter, no sign": (
+        plugin("allocation_interpreters", "mrta_alliance", LISTENER, answer="['x']", wishes=ODOM),
+        "interpreter of mrta_alliance: TypeError: a sign is 'x'; accepted is AllocationSign, hearing /robot1/odom",
+    ),
+    "rule, no wish": (
+        plugin("incident_rules", "any", LISTENER, wishes="['x']"),
+        "incident rule any: TypeError: a wish is 'x'; accepted is Subscription, subscribing",
+    ),
+    "rule, no severity": (
+        plugin("incident_rules", "any", LISTENER, answer="board.open('key', 'warning', time, 'text')"),
+        "incident rule any: TypeError: a severity is 'warning'; accepted is Severity, woken at 1.0",
+    ),
+    "rule, no time": (
+        plugin("incident_rules", "any", LISTENER, answer="board.open('key', Severity.INFO, float('nan'), 'text')"),
+        "incident rule any: ValueError: a start of nan s; it must be finite, woken at 1.0",
+    ),
+    "statistic, no JSON": (
+        plugin("statistics", "any", "", "lambda record: {1}"),
+        "statistic any: its value is no plain JSON (Object of type set is not JSON serializable); accepted: finite "
+        "numbers, texts, truth values, None, and lists and dicts of them",
+    ),
+    "panel, no view": (
+        plugin("monitor_panels", PANEL_NAME, LISTENER),
+        f"monitor panel {PANEL_NAME}: gives None; a CurvePanel of CurveGroups of Curves is needed",
+    ),
+    "panel, no wish": (
+        plugin("monitor_panels", PANEL_NAME, LISTENER, wishes="['x']"),
+        f"monitor panel {PANEL_NAME}: TypeError: wants to hear 'x'; a Subscription is needed",
+    ),
+    "renderer, no picture": (
+        plugin("renderers", "monitor", "", "lambda view: None"),
+        "renderer monitor: drew None; an array of (height, width, 3) uint8 is needed",
+    ),
+    "renderer, another shape": (
+        plugin("renderers", "monitor", "import numpy\n", "lambda view: numpy.zeros((2, 3))"),
+        "renderer monitor: drew an array of (2, 3) float64; an array of (height, width, 3) uint8 is needed",
+    ),
+    "exporter, no files": (
+        plugin("exporters", "any", LISTENER),
+        "exporter any: answers NoneType; a mapping of bytes by file name is accepted",
+    ),
+    "exporter, none made": (
+        plugin("exporters", "any", LISTENER, "lambda setup: None"),
+        "exporter any: made None, which has no 'subscriptions'",
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "message"), list(MISFITS.values()), ids=list(MISFITS))
+def test_a_part_that_does_not_fit_stops_the_run_by_name(mrta: Mrta, stranger: Path, text: str, message: str) -> None:
+    stranger.write_text(text)
+    wishes = ["--export", "any"] if "mrta_register_exporters" in text else []
+
+    status, lines = mrta("run", "border_patrol", "--duration", "1", "--processes", "1", *wishes)
+
+    line = text.partition("def sense")[0].count("\n") + 2
+    assert (status, lines) == (3, [f"mrta: {message.format(file=stranger, line=line)}"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        plugin("message_observers", "any", "", "lambda setup: None"),
+        plugin("message_observers", "any", LISTENER, wishes="['x']"),
+        plugin("message_observers", "any", LISTENER, wishes="[Subscription(3)]"),
+        plugin("message_observers", "any", LISTENER, answer="1 / 0", wishes=ODOM),
+    ],
+    ids=["none made", "no wish", "no topic", "raises"],
+)
+def test_a_message_observer_that_does_not_fit_is_logged_and_the_run_goes_on(
+    mrta: Mrta, stranger: Path, caplog: pytest.LogCaptureFixture, text: str
+) -> None:
+    stranger.write_text(text)
+
+    status, lines = mrta("run", "border_patrol", "--duration", "1", "--pictures", "0", "--processes", "1")
+
+    assert (status, lines) == (0, [])
+    assert [message for message in caplog.messages if "observer" in message] == ["event=observer_failed observer=any"]
+
+
+def test_an_agent_that_takes_for_ever_stops_the_run_at_its_tick(
+    mrta: Mrta, stranger: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("RQT_MRTA_PY_PATIENCE", "2")
+    stranger.write_text(plugin("agents", "mrta_alliance", AGENT, answer="[None for _ in iter(int, 1)]"))
+
+    status, lines = mrta("run", "border_patrol", "--duration", "1", "--pictures", "0", "--processes", "1")
+
+    assert (status, len(lines)) == (3, 1)
+    assert lines[0].startswith("mrta: the mission's tick at 0 s: no answer within 2 s; interrupted in ")
+    assert str(stranger) in lines[0]
