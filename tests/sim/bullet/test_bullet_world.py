@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from rqt_mrta_py.errors import SimError
-from rqt_mrta_py.hooks import Body
+from rqt_mrta_py.hooks import Body, Contact
 from rqt_mrta_py.model import Arena, Obstacle, Pose, Twist
 from rqt_mrta_py.sim.bullet import BulletWorld
 from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
@@ -50,6 +50,42 @@ def test_robot_at_full_speed_gets_no_deeper_into_a_wall_than_in_one_step(world, 
         world.step()
         deepest = max(deepest, float(world.poses()[0, 0]) + DIFF_DRIVE.length / 2 - WIDE.max_x)
     assert 0.0 < deepest < 0.0125
+
+
+@pytest.mark.parametrize("frozen", [False, True])
+def test_robot_that_stood_long_enough_to_rest_obeys_at_once(world, frozen):
+    world.reset(setup(Pose(0.0, 0.0)))
+    world.freeze("r0", frozen)
+    run(world, 6.0)
+    world.freeze("r0", False)
+    world.command("r0", "base", Twist(0.01, 0.0, 0.0))
+    run(world, 10.0)
+    assert world.poses()[0, 0] == pytest.approx(0.1, abs=0.005)
+
+
+def test_robot_that_rests_gives_way_to_a_push_and_is_touched(world):
+    world.reset(setup(Pose(0.0, 0.0), Pose(-1.5, 0.0)))
+    run(world, 6.0)
+    world.command("r1", "base", Twist(0.4, 0.0, 0.0))
+    run(world, 5.0)
+    assert world.poses()[0, 0] > 0.1
+    assert world.contacts() == (Contact("r0", "r1"),)
+    world.command("r1", "base", Twist())
+    run(world, 6.0)
+    before = world.poses()
+    run(world, 5.0)
+    np.testing.assert_array_equal(world.poses(), before)
+
+
+def test_body_that_a_resting_robot_holds_or_loses_goes_its_way(world):
+    world.reset(setup(Pose(0.0, 0.0)))
+    world.add_body(Body("block", (0.3, 0.0, 0.4), 0.0, (0.1, 0.1, 0.1), 0.2))
+    world.attach("r0", "block")
+    run(world, 6.0)
+    assert world.bodies()["block"].position[2] == pytest.approx(0.4, abs=0.02)
+    world.detach("block")
+    run(world, 2.0)
+    assert world.bodies()["block"].position[2] == pytest.approx(0.05, abs=0.01)
 
 
 def test_robots_and_loose_bodies_stand_on_one_floor_each(world):

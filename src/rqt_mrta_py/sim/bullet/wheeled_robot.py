@@ -38,6 +38,7 @@ class WheeledRobot:
         self._engine = engine
         self._twist = Twist()
         self._anchor: Optional[int] = None
+        self._may_rest = False
         self._drive(self._twist)
 
     @property
@@ -86,6 +87,7 @@ class WheeledRobot:
 
     def _drive(self, twist: Twist) -> None:
         """Turn the wheels: v_left,right = v -+ w track / 2, over the wheels' radius."""
+        self._let_rest(twist.vx == 0.0 and twist.wz == 0.0)
         across = twist.wz * self.model.track / 2
         radius = self.model.wheel_radius
         bullet = self._engine.bullet
@@ -97,6 +99,16 @@ class WheeledRobot:
             forces=(_MOTOR_TORQUE, _MOTOR_TORQUE),
             physicsClientId=self._engine.client,
         )
+
+    def _let_rest(self, rest: bool) -> None:
+        """Spare the engine a robot that stands; it wakes when something moves it, and must not rest while it drives."""
+        if rest == self._may_rest:
+            return
+        self._may_rest = rest
+        bullet = self._engine.bullet
+        driving = bullet.ACTIVATION_STATE_DISABLE_SLEEPING | bullet.ACTIVATION_STATE_WAKE_UP
+        state = bullet.ACTIVATION_STATE_ENABLE_SLEEPING if rest else driving
+        bullet.changeDynamics(self.body, _BASE, activationState=state, physicsClientId=self._engine.client)
 
 
 def _build(engine: Engine, robot: PlacedRobot, shape: RobotShape) -> int:
