@@ -134,7 +134,7 @@ def _interpreter(mission: Mission, manager: PluginManager) -> Optional[Allocatio
     if package not in factories:
         return None
     robots = tuple(robot.id for robot in mission.application.robots)
-    setup = InterpreterSetup(robots, tuple(task.id for task in mission.tasks))
+    setup = InterpreterSetup(robots, tuple(task.id for task in (*mission.tasks, *mission.later_tasks)))
     interpreter: AllocationInterpreter = made(
         f"allocation interpreter of {package}", factories[package], setup, "subscriptions", "hear"
     )
