@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable, Iterator, Optional, Tuple
 
+from rqt_mrta_py.app.collector import rare_collections
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.embedded import EmbeddedRun
 from rqt_mrta_py.app.exports import exporters_for
@@ -108,7 +109,7 @@ def run_mission(host: Host, request: RunRequest, progress: Progress) -> MissionR
                 patience=host.manager.patience,
             )
             processes = 1 if run.team_hears_supervisor else request.processes or min(2, _cores())
-            with _watching(plan, run.bus, codec, processes) as watcher:
+            with rare_collections(), _watching(plan, run.bus, codec, processes) as watcher:
                 run.attach(watcher)
                 for tick in range(run.last_tick + 1):
                     with host.manager.patience.at_work(f"the mission's tick at {tick / scenario.control_rate:g} s"):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import gc
 import multiprocessing
 import resource
 import tempfile
@@ -15,6 +14,7 @@ from typing import Any, Dict, List, NamedTuple, Tuple
 
 from rqt_mrta_py.app.bench.load import CONTROL_RATE, LoadPlugin, load_mission_of
 from rqt_mrta_py.app.bench.parts import PartTimer
+from rqt_mrta_py.app.collector import rare_collections
 from rqt_mrta_py.app.compose import Host, compose
 from rqt_mrta_py.app.embedded import EmbeddedRun
 from rqt_mrta_py.app.observation import Observation
@@ -175,7 +175,7 @@ def _wired(case: _Case, stack: ExitStack) -> Tuple[EmbeddedRun, WatchPlan, Host]
     folder = OutputFolder(Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="mrta-bench-"))))
     pictures = PictureSchedule(host.renderer("monitor"), CONTROL_RATE // _PICTURE_RATE, CONTROL_RATE)
     plan = WatchPlan(observation, folder, run.clock, run.last_tick, False, pictures, None, {}, host.manager.patience)
-    gc.collect()
+    stack.enter_context(rare_collections())
     return run, plan, host
 
 
