@@ -14,6 +14,7 @@ Rows = NDArray[np.intp]
 
 _POINTS_A_CELL = 2.0
 _MOST_CELLS_A_SIDE = 256
+_LEAST_CELL = 1e-3
 
 
 class Cells:
@@ -30,7 +31,7 @@ class Cells:
         self._low_x, self._low_y = float(x.min()), float(y.min())
         span_x, span_y = float(x.max()) - self._low_x, float(y.max()) - self._low_y
         roomy = (span_x * span_y * _POINTS_A_CELL / self._points) ** 0.5
-        self._cell = max(roomy, span_x / _MOST_CELLS_A_SIDE, span_y / _MOST_CELLS_A_SIDE) or 1.0
+        self._cell = max(roomy, span_x / _MOST_CELLS_A_SIDE, span_y / _MOST_CELLS_A_SIDE, _LEAST_CELL)
         self._columns = int(span_x / self._cell) + 1
         self._lines = int(span_y / self._cell) + 1
         cell = self._column(x) * self._lines + self._line(y)

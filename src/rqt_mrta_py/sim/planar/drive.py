@@ -72,18 +72,22 @@ class Drive:
         yaw = poses[2] + turn
         poses[2] = yaw - 2 * np.pi * np.ceil((yaw - np.pi) / (2 * np.pi))
 
-    def hold_up(self, pushes: Floats, yaw: Floats, duration: float) -> None:
-        """Slow robots down, at most to a stand, by what they were pushed back.
+    def hold_up(self, is_pushed: NDArray[np.bool_], moved: Floats, yaw: Floats, duration: float) -> None:
+        """Slow robots that were pushed down to the speed at which they got on, at most to a stand.
 
         Args:
-            pushes: in the frame ``map`` [m], shape (2, robots).
+            is_pushed: who was, shape (robots,).
+            moved: from where to where they all came, frame ``map`` [m], shape (2, robots).
             yaw: headings [rad], shape (robots,).
-            duration: in which they were pushed [s].
+            duration: in which they did [s].
         """
-        cos, sin = np.cos(yaw), np.sin(yaw)
-        gained = np.stack((cos * pushes[0] + sin * pushes[1], cos * pushes[1] - sin * pushes[0])) / duration
-        speeds = self._speeds[:2]
-        self._speeds[:2] = np.clip(speeds + gained, np.minimum(speeds, 0.0), np.maximum(speeds, 0.0))
+        rows = np.flatnonzero(is_pushed)
+        if not rows.size:
+            return
+        (x, y), cos, sin = moved[:, rows], np.cos(yaw[rows]), np.sin(yaw[rows])
+        speeds = self._speeds[:2, rows]
+        made = np.stack((cos * x + sin * y, cos * y - sin * x)) / duration
+        self._speeds[:2, rows] = np.clip(made, np.minimum(speeds, 0.0), np.maximum(speeds, 0.0))
 
     def _within_limits(self) -> Floats:
         """Bring the commands within the models' limits, keeping the direction of travel."""

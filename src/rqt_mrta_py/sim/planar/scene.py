@@ -60,7 +60,8 @@ class Scene:
             crowd.carry()
             crowd.note_turns()
             self.collisions.resolve(before)
-            self.drive.hold_up(robots[:2] - driven, robots[2], duration)
+            is_pushed = (robots[:2] != driven).any(axis=0)
+            self.drive.hold_up(is_pushed, robots[:2] - before[:2, : crowd.robots], robots[2], duration)
         self.sight.forget()
 
     def _sub_steps(self) -> int:
