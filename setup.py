@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
+import os
+import re
+from pathlib import Path, PurePosixPath
+from typing import Dict, List, Sequence, Tuple
+
 from setuptools import find_packages, setup
+
+HERE = Path(__file__).resolve().parent
 
 # Lower bounds: what Debian 12 carries or Python 3.8 can install. Upper bounds: the next major version.
 EXTRAS = {
@@ -22,18 +29,71 @@ EXTRAS["test"] = [
     "types-PyYAML>=6,<7",
     "types-setuptools>=75,<100",
     "lxml-stubs>=0.5,<1",
+    # Tests build the wheel without a network.
+    "setuptools>=64",
+    "wheel>=0.38",
+    "packaging>=21",
 ]
+
+
+def ros_files() -> List[Tuple[str, Sequence[str]]]:
+    """List what a ROS package has outside of its Python modules, for this package and for those under plugins.
+
+    Returns:
+        Folders below the installation's prefix as REP-122 wants them, each with its files.
+    """
+    share = "share/rqt_mrta_py"
+    # rosrun looks below lib in a catkin workspace, below share where ROS_PACKAGE_PATH names that folder.
+    placed = [(share, HERE / "package.xml"), *_below("lib/rqt_mrta_py", HERE / "scripts")]
+    for folder in ("scripts", "msg", "srv", "launch_xml"):
+        placed += _below(f"{share}/{folder}", HERE / folder)
+    for manifest in (HERE / "plugins").glob("*/*/package.xml"):
+        package = manifest.parent
+        # A stub must not stand beside a real package of its name: it is found last, from a folder of its own.
+        parent = f"{share}/stubs" if package.parent.name == "stubs" else "share"
+        placed += _below(f"{parent}/{package.name}", package)
+    folders: Dict[str, List[str]] = {}
+    for target, path in sorted(placed):
+        folders.setdefault(target, []).append(path.relative_to(HERE).as_posix())
+    return [(target, files) for target, files in sorted(folders.items())]
+
+
+def _below(target: str, folder: Path) -> List[Tuple[str, Path]]:
+    """Place all files below a folder, but for what Python and its tools leave there."""
+    files = [path for path in folder.rglob("*") if path.is_file()]
+    kept = [path for path in files if not re.search(r"/__pycache__/|\.egg-info/", path.as_posix())]
+    return [((PurePosixPath(target) / path.relative_to(folder)).parent.as_posix(), path) for path in kept]
+
 
 setup(
     name="rqt_mrta_py",
     version="0.1.0",
     description="A supervisor, without a desktop, for teams of robots that share out tasks among themselves",
+    long_description=(HERE / "README.md").read_text(encoding="utf-8"),
+    long_description_content_type="text/markdown",
     license="Apache-2.0",
+    license_files=["LICENSE"],
     maintainer="rqt_mrta_py maintainers",
     maintainer_email="maintainers@rqt-mrta-py.example",
+    keywords=["robotics", "multi-robot", "task allocation", "MRTA", "ROS", "ALLIANCE", "simulation"],
+    classifiers=[
+        "Development Status :: 3 - Alpha",
+        "Environment :: Console",
+        "Intended Audience :: Science/Research",
+        "Operating System :: POSIX :: Linux",
+        "Programming Language :: Python :: 3",
+        "Programming Language :: Python :: 3.8",
+        "Programming Language :: Python :: 3.11",
+        "Topic :: Scientific/Engineering",
+        "Topic :: System :: Distributed Computing",
+        "Typing :: Typed",
+    ],
     python_requires=">=3.8",
     package_dir={"": "src"},
     packages=find_packages("src"),
+    package_data={"rqt_mrta_py": ["py.typed"]},
+    # Under catkin CMakeLists.txt installs these.
+    data_files=[] if "CATKIN_BINARY_DIR" in os.environ else ros_files(),
     install_requires=[
         "PyYAML>=6.0,<7",
         "catkin_pkg>=0.5.2,<2",
