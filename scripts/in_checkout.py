@@ -1,6 +1,7 @@
 """What the rosrun stubs share: find an interpreter that can run this project, then call a function of it.
 
-A checkout has its libraries in ``.venv``; roslaunch and rosrun start nodes with the system's Python, which may not.
+A checkout has its libraries in ``.venv``, a wheel in the virtual environment that it was installed into; roslaunch and
+rosrun start nodes with the system's Python, which may have none of them.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ NEEDED = ("rqt_mrta_py", "catkin_pkg", "cv2", "lxml", "numpy", "pluggy", "pybull
 
 
 def call(module: str, function: str, script: str) -> None:
-    """Leave the process with what a function returns, from the checkout's ``.venv`` where this lacks a library.
+    """Leave the process with what a function returns, from the stub's own environment where this lacks a library.
 
     Args:
         module: Where the function lives.
@@ -38,15 +39,18 @@ def call(module: str, function: str, script: str) -> None:
 
 
 def environment_above(script: Path) -> Optional[Path]:
-    """Find the interpreter of the checkout that a script belongs to.
+    """Find the interpreter of the checkout or of the virtual environment that a script belongs to.
 
     Args:
         script: Its resolved path.
 
     Returns:
-        The checkout's ``.venv/bin/python``, or None outside of a checkout that was set up.
+        The ``.venv/bin/python`` of a checkout that was set up, the ``bin/python`` of a virtual environment, or None
+        outside of both.
     """
     for folder in script.parents:
         if (folder / ".venv" / "set-up").exists():
             return folder / ".venv" / "bin" / "python"
+        if (folder / "pyvenv.cfg").exists():
+            return folder / "bin" / "python"
     return None

@@ -2,6 +2,9 @@
 
 Search order: ``ROS_PACKAGE_PATH``, then the share folders of ``CMAKE_PREFIX_PATH``, of Debian and of the Python
 environment, then the packages that this project brings. Of one name the first found wins.
+
+Where another copy of this project is installed in the Python environment, a wheel beside a checkout say, what lies in
+that share folder came with the copy: it is then searched last.
 """
 
 from __future__ import annotations
@@ -24,6 +27,7 @@ _log = logging.getLogger("rqt_mrta_py.config")
 
 _MANIFEST = "package.xml"
 _GROUP = "rqt_mrta_py"
+_OWN = "rqt_mrta_py"
 _DEBIAN = (Path("/usr/share"),)
 _MENTION = HOSTS[0].encode("ascii")
 _COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
@@ -53,16 +57,14 @@ def discover(
     """
     search = _Search()
     for folder in _split(environ.get("ROS_PACKAGE_PATH", "")):
-        # An installation's share folder is flat; all of /usr/share may well be on the path.
-        if folder.name == "share":
-            search.share(folder)
-        else:
-            search.crawl(folder)
-    prefixes = [*_split(environ.get("CMAKE_PREFIX_PATH", "")), Path(prefix)]
-    for folder in [*(entry / "share" for entry in prefixes[:-1]), *shares, prefixes[-1] / "share"]:
+        search.place(folder)
+    for folder in [*(entry / "share" for entry in _split(environ.get("CMAKE_PREFIX_PATH", ""))), *shares]:
         search.share(folder)
-    for folder in own_packages() if own is None else own:
-        search.crawl(folder)
+    brought = list(own_packages() if own is None else own)
+    installed = Path(prefix) / "share"
+    is_of_another_copy = (installed / _OWN / _MANIFEST).is_file() and installed.resolve() not in brought
+    for folder in [*brought, installed] if is_of_another_copy else [installed, *brought]:
+        search.place(folder)
     search.entry_points(metadata.distributions() if distributions is None else distributions)
     _log.debug("event=discovered packages=%d registrations=%d", len(search.packages), len(search.registrations))
     return Registry(search.packages, tuple(search.registrations), tuple(sorted(set(search.problems))))
@@ -72,16 +74,16 @@ def own_packages() -> Tuple[Path, ...]:
     """Locate the packages that this project brings.
 
     Returns:
-        Of a source checkout its root and its ``plugins`` folder; of an installation the packages' own share folder;
-        nothing if neither is there.
+        Of a source checkout its root and its ``plugins`` folder; of an installation the share folder and, last, that
+        of its stubs; nothing if neither is there.
     """
     parents = Path(__file__).resolve().parents
     root = parents[3]
-    if (root / _MANIFEST).is_file() and (root / "src" / "rqt_mrta_py").is_dir():
+    if (root / _MANIFEST).is_file() and (root / "src" / _OWN).is_dir():
         return (root, root / "plugins")
     for parent in parents:
-        if (parent / "share" / "rqt_mrta_py" / _MANIFEST).is_file():
-            return (parent / "share",)
+        if (parent / "share" / _OWN / _MANIFEST).is_file():
+            return (parent / "share", parent / "share" / _OWN / "stubs")
     return ()
 
 
@@ -93,6 +95,13 @@ class _Search:
         self.registrations: List[Registration] = []
         self.problems: List[Problem] = []
         self._visited: Set[Tuple[int, int]] = set()
+
+    def place(self, folder: Path) -> None:
+        """Search a folder by its kind: an installation's share folder is flat, and may well be all of /usr/share."""
+        if folder.name == "share":
+            self.share(folder)
+        else:
+            self.crawl(folder)
 
     def crawl(self, folder: Path) -> None:
         """Descend from a folder; a package is a leaf, links are followed, each folder is visited once."""
