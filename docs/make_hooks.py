@@ -6,8 +6,8 @@ import inspect
 from pathlib import Path
 from typing import Callable, Dict, List
 
-from rqt_mrta_py.app.environment import BLOCK, PATIENCE, TRACE
-from rqt_mrta_py.app.plugin_catalogue import hook_entries, plugin_entries
+from rqt_mrta_py.app.catalogue.plugins import hook_entries, plugin_entries
+from rqt_mrta_py.app.loading.environment import BLOCK, PATIENCE, TRACE
 from rqt_mrta_py.config import discover
 from rqt_mrta_py.hooks import HookSpecs
 

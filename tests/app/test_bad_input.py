@@ -163,7 +163,7 @@ def test_wrong_usage_exits_with_2_and_one_line(mrta: Mrta, tmp_path: Path, argum
         ),
         (
             ("run", "border_patrol", "--world", "moon"),
-            "mrta: --world moon: there is no such world; there are: bullet",
+            "mrta: --world moon: there is no such world; there are: bullet, planar",
         ),
         (
             ("run", "border_patrol", "--duration", "1e10"),

@@ -13,8 +13,8 @@ from typing import Any, Tuple
 
 import pytest
 
-from rqt_mrta_py.app import results
 from rqt_mrta_py.app.cli.main import main
+from rqt_mrta_py.app.outputs import results
 from rqt_mrta_py.transport import read_bag_info
 from tests.app.outputs import Outputs
 

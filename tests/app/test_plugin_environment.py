@@ -10,7 +10,7 @@ from typing import Any, Dict
 import pytest
 
 from rqt_mrta_py.app.compose import compose
-from rqt_mrta_py.app.environment import PluginSettings, plugin_settings
+from rqt_mrta_py.app.loading.environment import PluginSettings, plugin_settings
 from rqt_mrta_py.errors import UsageError
 from tests.app.outputs import Mrta
 

@@ -7,16 +7,16 @@ from typing import Any, List, NamedTuple
 
 import pytest
 
+from rqt_mrta_py.app.catalogue.plugins import hook_entries, plugin_entries
 from rqt_mrta_py.app.cli.main import main
 from rqt_mrta_py.app.compose import Host
-from rqt_mrta_py.app.embedded import EmbeddedRun
-from rqt_mrta_py.app.exports import exporters_for
 from rqt_mrta_py.app.observation import Observation
-from rqt_mrta_py.app.outputs import OutputFolder
-from rqt_mrta_py.app.picture_files import PictureFiles
-from rqt_mrta_py.app.pictures import PictureSchedule
-from rqt_mrta_py.app.plugin_catalogue import hook_entries, plugin_entries
-from rqt_mrta_py.app.watch import WatchPlan, open_watch
+from rqt_mrta_py.app.outputs.exports import exporters_for
+from rqt_mrta_py.app.outputs.folder import OutputFolder
+from rqt_mrta_py.app.outputs.picture_files import PictureFiles
+from rqt_mrta_py.app.outputs.pictures import PictureSchedule
+from rqt_mrta_py.app.run.embedded import EmbeddedRun
+from rqt_mrta_py.app.run.watch import WatchPlan, open_watch
 from rqt_mrta_py.config import discover, load_mission
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.hooks import Stamped
@@ -55,9 +55,9 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
     pictures = PictureSchedule(host.renderer("monitor"), 5, 10, PictureFiles(monitor))
     plan = WatchPlan(observation, folder, run.clock, run.last_tick, False, pictures, None, exporters, manager.patience)
     with open_watch(plan, run.bus) as watch:
-        run.attach(watch)
         for tick in range(run.last_tick + 1):
             run.step(tick)
+            watch.end_tick(tick)
         record = watch.finish().record
     run.close()
     stream = list(read_bag(folder.path / "mission.bag"))

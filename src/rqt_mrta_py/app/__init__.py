@@ -1,12 +1,12 @@
 """Wires the rooms together and talks to people.
 
-* ``compose``: registry, plugins, codec: the one place that wires
-* ``observation``: supervisor, scene and panels on one stream
-* ``run_mission``, ``embedded``, ``team``: a simulated run
-* ``review_bag``: a recorded one
-* ``mission_message``, ``selection``, ``chance``: small parts of both
-* ``pictures``, ``results``, ``outputs``, ``versions``: what both leave
+* ``compose``: registry, plugins, codec: the one place that wires; ``loading``: what it wires
+* ``observation``: supervisor, scene, panels and observers on one stream
+* ``run``: a simulated run; ``review_bag``: a recorded one
+* ``outputs``: what both leave
+* ``mission_message``: a mission as the first message of its bag
+* ``guard``, ``observers``: plugins' parts, told by name when they fail; ``interrupt``: Ctrl-C
+* ``catalogue``: what is registered
+* ``bench``: what can be measured
 * ``cli``: the command ``mrta``, one verb to a file
 """
-
-from __future__ import annotations

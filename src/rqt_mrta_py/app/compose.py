@@ -9,11 +9,11 @@ import sys
 import time
 from typing import List, Mapping, Optional
 
-from rqt_mrta_py.app.blocking import is_blocked, warn_of_blocking
-from rqt_mrta_py.app.environment import plugin_settings
 from rqt_mrta_py.app.guard import guarded_renderer
-from rqt_mrta_py.app.own_plugins import OWN_PLUGINS
-from rqt_mrta_py.app.registry import registry_only
+from rqt_mrta_py.app.loading.blocking import is_blocked, warn_of_blocking
+from rqt_mrta_py.app.loading.environment import plugin_settings
+from rqt_mrta_py.app.loading.own_plugins import OWN_PLUGINS
+from rqt_mrta_py.app.loading.registry import registry_only
 from rqt_mrta_py.config import Registry
 from rqt_mrta_py.errors import HookError, Problem
 from rqt_mrta_py.hooks import Codec, Renderer

@@ -10,14 +10,14 @@ from pathlib import Path
 from typing import Callable, Iterator, Optional, Tuple
 
 from rqt_mrta_py.app.compose import Host
-from rqt_mrta_py.app.exports import exporters_for, write_exports
 from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.mission_message import MISSION_TOPIC, MISSION_TYPE, mission_from_fields
 from rqt_mrta_py.app.observation import Observation
-from rqt_mrta_py.app.outputs import OutputFolder
-from rqt_mrta_py.app.picture_files import PictureFiles, open_film
-from rqt_mrta_py.app.pictures import period_in_ticks
-from rqt_mrta_py.app.results import MissionResult, Stopwatch, write_results
+from rqt_mrta_py.app.outputs.exports import exporters_for, write_exports
+from rqt_mrta_py.app.outputs.folder import OutputFolder
+from rqt_mrta_py.app.outputs.picture_files import PictureFiles, open_film
+from rqt_mrta_py.app.outputs.pictures import period_in_ticks
+from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch, write_results
 from rqt_mrta_py.config import load_mission, load_observed
 from rqt_mrta_py.errors import TransportError, UsageError
 from rqt_mrta_py.hooks import Codec, Renderer, Stamped
@@ -80,7 +80,9 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
     if request.video and not period > 0:
         raise UsageError("--video: there are no pictures to make a film of; give --pictures a time above 0")
     exporters = exporters_for(mission, request.exports, host.manager)
-    observation = Observation(mission, codec, host.manager, duration or length, tuple(exporters.values()))
+    patience = host.manager.patience
+    with patience.at_work("the making of the review"):
+        observation = Observation(mission, codec, host.manager, duration or length, tuple(exporters.values()))
     with Interrupt() as interrupt, ExitStack() as stack:
         folder = OutputFolder.create(request.out, f"{request.bag.stem}-review", request.force)
         path = folder.monitor(wanted=period > 0)
@@ -90,9 +92,10 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
             stack.callback(files.close)
             pictures = _Pictures(host.renderer("monitor"), files, _period_ns(mission, period))
         for stamped in read_bag(request.bag):
-            if pictures is not None:
-                pictures.until(stamped.receipt_ns, observation)
-            observation.feed(stamped)
+            with patience.at_work(f"the review at {(stamped.receipt_ns - start_ns) / _NS:g} s"):
+                if pictures is not None:
+                    pictures.until(stamped.receipt_ns, observation)
+                observation.feed(stamped)
             progress((stamped.receipt_ns - start_ns) / _NS, length)
             if interrupt.requested:
                 break
@@ -100,8 +103,9 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
             if info.end_ns is not None and not interrupt.requested:
                 pictures.until(info.end_ns + 1, observation)
             files.finish()
-        results = write_results(folder, observation, host.renderer("dashboard") if pictures else None)
-        write_exports(folder, exporters, results.record)
+        with patience.at_work("the end of the review"):
+            results = write_results(folder, observation, host.renderer("dashboard") if pictures else None)
+            write_exports(folder, exporters, results.record)
         return stopwatch.result(folder, results, interrupt)
 
 

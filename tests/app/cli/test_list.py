@@ -10,7 +10,7 @@ from typing import Any, Dict, List
 
 import pytest
 
-from rqt_mrta_py.app.own_plugins import OWN_PLUGINS
+from rqt_mrta_py.app.loading.own_plugins import OWN_PLUGINS
 from rqt_mrta_py.hooks.contract import HOOKS
 from tests.app.cli.conftest import Command
 

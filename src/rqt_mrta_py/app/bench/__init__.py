@@ -1,5 +1,5 @@
 """What ``mrta bench`` can measure of this package.
 
-* ``plugin``: the benchmarks, registered like anybody's
+* ``registered``: finds and runs the benchmarks of all plugins; ``plugin`` registers ours
 * ``loop``, ``load``, ``parts``: how fast a simulated mission runs, with how much to do, and where its time goes
 """

@@ -14,14 +14,14 @@ from typing import Any, Dict, List, NamedTuple, Tuple
 
 from rqt_mrta_py.app.bench.load import CONTROL_RATE, LoadPlugin, load_mission_of
 from rqt_mrta_py.app.bench.parts import PartTimer
-from rqt_mrta_py.app.collector import rare_collections
 from rqt_mrta_py.app.compose import Host, compose
-from rqt_mrta_py.app.embedded import EmbeddedRun
 from rqt_mrta_py.app.observation import Observation
-from rqt_mrta_py.app.outputs import OutputFolder
-from rqt_mrta_py.app.pictures import PictureSchedule
-from rqt_mrta_py.app.watch import Watcher, WatchPlan, open_watch
-from rqt_mrta_py.app.watch_process import open_watch_process
+from rqt_mrta_py.app.outputs.folder import OutputFolder
+from rqt_mrta_py.app.outputs.pictures import PictureSchedule
+from rqt_mrta_py.app.run.collector import rare_collections
+from rqt_mrta_py.app.run.embedded import EmbeddedRun
+from rqt_mrta_py.app.run.watch import Watcher, WatchPlan, open_watch
+from rqt_mrta_py.app.run.watch_process import open_watch_process
 from rqt_mrta_py.errors import MrtaError, UsageError
 from rqt_mrta_py.hooks import BenchmarkTable
 
@@ -138,13 +138,14 @@ def _speed(case: _Case, processes: int) -> _Speed:
             process = stack.enter_context(open_watch_process(plan, host.codec()))
             run.bus.tap(process.hear)
             watcher = process
-        run.attach(watcher)
         warm = round(_WARM_UP * CONTROL_RATE)
         for tick in range(warm):
             run.step(tick)
+            watcher.end_tick(tick)
         processor, wall = _processor(), time.perf_counter()
         for tick in range(warm, run.last_tick + 1):
             run.step(tick)
+            watcher.end_tick(tick)
         watcher.finish()
         wall = time.perf_counter() - wall
         processor = _processor() - processor
@@ -155,12 +156,12 @@ def _parts(case: _Case) -> Dict[str, float]:
     with ExitStack() as stack:
         run, plan, _ = _wired(case, stack)
         watch = stack.enter_context(open_watch(plan, run.bus))
-        run.attach(watch)
         timer = PartTimer()
         for target, method, part in (*run.timed_parts(), *watch.timed_parts()):
             timer.watch(target, method, part)
         for tick in range(run.last_tick + 1):
             run.step(tick)
+            watch.end_tick(tick)
     return timer.seconds
 
 

@@ -24,7 +24,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(options: argparse.Namespace) -> int:
     """List benchmarks, or measure one and print its table."""
-    from rqt_mrta_py.app.benchmarks import benchmark_named, benchmarks_of, measured, owner_of, prepared
+    from rqt_mrta_py.app.bench.registered import benchmark_named, benchmarks_of, measured, owner_of, prepared
     from rqt_mrta_py.app.compose import compose
 
     host = compose()
@@ -66,7 +66,7 @@ def main(options: argparse.Namespace) -> int:
 
 def _help_on_benchmarks() -> str:
     """Write the section of the help page that names the benchmarks."""
-    from rqt_mrta_py.app.benchmarks import benchmarks_of
+    from rqt_mrta_py.app.bench.registered import benchmarks_of
     from rqt_mrta_py.app.compose import compose
 
     try:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Sequence
 from rqt_mrta_py.app.cli.stdout import standard_output
 
 if TYPE_CHECKING:
-    from rqt_mrta_py.app.results import MissionResult
+    from rqt_mrta_py.app.outputs.results import MissionResult
 
 __all__ = [
     "ProgressLine",

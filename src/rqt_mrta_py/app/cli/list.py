@@ -11,8 +11,8 @@ from rqt_mrta_py.app.cli.common import complain_about, print_json, print_table
 from rqt_mrta_py.app.cli.stdout import standard_output
 
 if TYPE_CHECKING:
-    from rqt_mrta_py.app.catalogue import Entry
-    from rqt_mrta_py.app.plugin_catalogue import PluginEntry
+    from rqt_mrta_py.app.catalogue.entries import Entry
+    from rqt_mrta_py.app.catalogue.plugins import PluginEntry
 
 __all__ = ["add_arguments", "main"]
 
@@ -31,12 +31,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(options: argparse.Namespace) -> int:
     """Print the list."""
-    from rqt_mrta_py.app.blocking import warn_of_blocking
-    from rqt_mrta_py.app.catalogue import entries
-    from rqt_mrta_py.app.environment import plugin_settings
-    from rqt_mrta_py.app.plugin_catalogue import hook_entries, plugin_entries
-    from rqt_mrta_py.app.registry import registry_only
-    from rqt_mrta_py.app.taxonomy_filter import parse_filter
+    from rqt_mrta_py.app.catalogue.entries import entries
+    from rqt_mrta_py.app.catalogue.plugins import hook_entries, plugin_entries
+    from rqt_mrta_py.app.catalogue.taxonomy_filter import parse_filter
+    from rqt_mrta_py.app.loading.blocking import warn_of_blocking
+    from rqt_mrta_py.app.loading.environment import plugin_settings
+    from rqt_mrta_py.app.loading.registry import registry_only
     from rqt_mrta_py.config import RegistrationKind
     from rqt_mrta_py.model import Taxonomy
 
@@ -99,7 +99,7 @@ def _print(listed: Dict[str, List[Entry]], plugins: Sequence[PluginEntry]) -> No
 
 
 def _print_plugins(plugins: Sequence[PluginEntry]) -> None:
-    from rqt_mrta_py.app.plugin_catalogue import surveyed
+    from rqt_mrta_py.app.catalogue.plugins import surveyed
 
     hooks = surveyed(plugins)
     rows = [(_plugin_name(entry), entry.package, _told(hooks[entry.plugin])) for entry in plugins]
@@ -135,7 +135,7 @@ def _as_json(entry: Entry) -> Dict[str, Any]:
 
 
 def _plugins_as_json(plugins: Sequence[PluginEntry]) -> List[Dict[str, Any]]:
-    from rqt_mrta_py.app.plugin_catalogue import surveyed
+    from rqt_mrta_py.app.catalogue.plugins import surveyed
 
     hooks = surveyed(plugins)
     return [

@@ -40,7 +40,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(options: argparse.Namespace) -> int:
     """Run the mission."""
     from rqt_mrta_py.app.compose import compose
-    from rqt_mrta_py.app.run_mission import RunRequest, run_mission
+    from rqt_mrta_py.app.run.mission import RunRequest, run_mission
 
     host = compose()
     complain_about(host.problems)

@@ -19,8 +19,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(options: argparse.Namespace) -> int:
     """Print what a package registers; a package that registers several things shows all of them."""
-    from rqt_mrta_py.app.catalogue import described
-    from rqt_mrta_py.app.registry import registry_only
+    from rqt_mrta_py.app.catalogue.entries import described
+    from rqt_mrta_py.app.loading.registry import registry_only
 
     registry = registry_only()
     complain_about(registry.problems)

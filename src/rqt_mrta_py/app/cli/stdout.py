@@ -7,7 +7,7 @@ import sys
 from contextlib import contextmanager
 from typing import Iterator
 
-from rqt_mrta_py.app.outputs import OutputError
+from rqt_mrta_py.app.outputs.folder import OutputError
 
 __all__ = ["mute", "standard_output"]
 

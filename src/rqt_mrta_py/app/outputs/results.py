@@ -11,8 +11,8 @@ from typing import Any, Dict, NamedTuple, Optional, Sequence
 from rqt_mrta_py import __version__
 from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.observation import Observation
-from rqt_mrta_py.app.outputs import OutputFolder
-from rqt_mrta_py.app.versions import installed_versions
+from rqt_mrta_py.app.outputs.folder import OutputFolder
+from rqt_mrta_py.app.outputs.versions import installed_versions
 from rqt_mrta_py.hooks import Renderer
 from rqt_mrta_py.model import MissionRecord, Outcome, TaskState
 from rqt_mrta_py.render import write_picture

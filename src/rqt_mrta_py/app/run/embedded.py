@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any, Iterator, List, Optional, Set, Tuple
+from typing import Any, Iterator, List, Set, Tuple
 
-from rqt_mrta_py.app.chance import Purpose, generator, link_generator
 from rqt_mrta_py.app.guard import makers
 from rqt_mrta_py.app.mission_message import mission_message
-from rqt_mrta_py.app.run_clock import RunClock
-from rqt_mrta_py.app.team import Member, build_team
-from rqt_mrta_py.app.watch import SUPERVISOR_TOPICS, Watcher
+from rqt_mrta_py.app.run.chance import Purpose, generator, link_generator
+from rqt_mrta_py.app.run.clock import RunClock
+from rqt_mrta_py.app.run.team import Member, build_team
+from rqt_mrta_py.app.run.watch import SUPERVISOR_TOPICS
 from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.hooks import Codec, Outgoing
 from rqt_mrta_py.hooks.manager import PluginManager
@@ -50,7 +50,6 @@ class EmbeddedRun:
             raise UsageError(f"{mission.application.package}: has no scenario, so there is nothing to simulate")
         self._scenario: ScenarioSpec = mission.scenario
         self._mission = mission
-        self._watcher: Optional[Watcher] = None
         self._duration = duration
         self.clock = RunClock(self._scenario.control_rate)
         self.last_tick = self.clock.ticks(duration)
@@ -92,10 +91,6 @@ class EmbeddedRun:
             for topic in SUPERVISOR_TOPICS
         )
 
-    def attach(self, watcher: Watcher) -> None:
-        """Say who is told that a tick has ended; before the first step. It is for the caller to tap ``bus``."""
-        self._watcher = watcher
-
     def timed_parts(self) -> Iterator[Tuple[Any, str, str]]:
         """Name what a benchmark times: object, method, and the part of the work that it is."""
         yield self._simulation.world, "step", "physics"
@@ -124,8 +119,6 @@ class EmbeddedRun:
         self._decide(tick, now)
         self._simulation.act(now)
         self._simulation.step()
-        if self._watcher is not None:
-            self._watcher.end_tick(tick)
 
     def _happen(self, tick: int, now: float) -> None:
         for event in self._simulation.begin_tick(tick, now):

@@ -8,19 +8,19 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable, Iterator, Optional, Tuple
 
-from rqt_mrta_py.app.collector import rare_collections
 from rqt_mrta_py.app.compose import Host
-from rqt_mrta_py.app.embedded import EmbeddedRun
-from rqt_mrta_py.app.exports import exporters_for
 from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.observation import Observation
-from rqt_mrta_py.app.outputs import OutputFolder
-from rqt_mrta_py.app.picture_files import PictureFiles, open_film
-from rqt_mrta_py.app.pictures import PictureSchedule, period_in_ticks
-from rqt_mrta_py.app.results import MissionResult, Stopwatch
-from rqt_mrta_py.app.selection import first_robots, in_world
-from rqt_mrta_py.app.watch import Watcher, WatchPlan, open_watch
-from rqt_mrta_py.app.watch_process import open_watch_process
+from rqt_mrta_py.app.outputs.exports import exporters_for
+from rqt_mrta_py.app.outputs.folder import OutputFolder
+from rqt_mrta_py.app.outputs.picture_files import PictureFiles, open_film
+from rqt_mrta_py.app.outputs.pictures import PictureSchedule, period_in_ticks
+from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch
+from rqt_mrta_py.app.run.collector import rare_collections
+from rqt_mrta_py.app.run.embedded import EmbeddedRun
+from rqt_mrta_py.app.run.selection import first_robots, in_world
+from rqt_mrta_py.app.run.watch import Watcher, WatchPlan, open_watch
+from rqt_mrta_py.app.run.watch_process import open_watch_process
 from rqt_mrta_py.config import load_mission
 from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.hooks import Codec
@@ -90,8 +90,9 @@ def run_mission(host: Host, request: RunRequest, progress: Progress) -> MissionR
         raise UsageError("--video: there are no pictures to make a film of; give --pictures a time above 0")
     codec = host.codec()
     exporters = exporters_for(mission, request.exports, host.manager)
-    observation = Observation(mission, codec, host.manager, duration, tuple(exporters.values()))
-    run = EmbeddedRun(mission, duration, codec, host.manager)
+    with host.manager.patience.at_work("the making of the mission"):
+        observation = Observation(mission, codec, host.manager, duration, tuple(exporters.values()))
+        run = EmbeddedRun(mission, duration, codec, host.manager)
     try:
         name = f"{mission.application.package}-seed{request.seed}"
         with Interrupt() as interrupt:
@@ -110,10 +111,10 @@ def run_mission(host: Host, request: RunRequest, progress: Progress) -> MissionR
             )
             processes = 1 if run.team_hears_supervisor else request.processes or min(2, _cores())
             with rare_collections(), _watching(plan, run.bus, codec, processes) as watcher:
-                run.attach(watcher)
                 for tick in range(run.last_tick + 1):
                     with host.manager.patience.at_work(f"the mission's tick at {tick / scenario.control_rate:g} s"):
                         run.step(tick)
+                    watcher.end_tick(tick)
                     progress(tick / scenario.control_rate, duration)
                     if interrupt.requested:
                         break

@@ -7,7 +7,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING, Deque, List, Optional, Protocol
 
-from rqt_mrta_py.app.outputs import OutputFolder
+from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.render import write_picture
 
 if TYPE_CHECKING:

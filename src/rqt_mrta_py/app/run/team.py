@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import List, Mapping, Tuple
 
-from rqt_mrta_py.app.chance import Purpose, generator
 from rqt_mrta_py.app.guard import made
+from rqt_mrta_py.app.run.chance import Purpose, generator
 from rqt_mrta_py.errors import RobotError, UsageError
 from rqt_mrta_py.hooks import (
     AgentFactory,

@@ -10,12 +10,12 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from typing import Any, Iterator, Mapping, Optional, Protocol, Sequence, Tuple
 
-from rqt_mrta_py.app.exports import write_exports
 from rqt_mrta_py.app.observation import Observation
-from rqt_mrta_py.app.outputs import OutputFolder
-from rqt_mrta_py.app.pictures import PICTURE_TOPIC, PictureSchedule
-from rqt_mrta_py.app.results import Results, write_results
-from rqt_mrta_py.app.run_clock import RunClock
+from rqt_mrta_py.app.outputs.exports import write_exports
+from rqt_mrta_py.app.outputs.folder import OutputFolder
+from rqt_mrta_py.app.outputs.pictures import PICTURE_TOPIC, PictureSchedule
+from rqt_mrta_py.app.outputs.results import Results, write_results
+from rqt_mrta_py.app.run.clock import RunClock
 from rqt_mrta_py.hooks import Exporter, Outgoing, Renderer, Stamped
 from rqt_mrta_py.hooks.patience import Patience
 from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
@@ -125,6 +125,10 @@ class Watch:
 
     def end_tick(self, tick: int) -> None:
         """Say what is new, draw what is due."""
+        with self._plan.patience.at_work(f"the watching of the tick at {tick / self._plan.clock.rate:g} s"):
+            self._end_tick(tick)
+
+    def _end_tick(self, tick: int) -> None:
         plan, observation, pictures = self._plan, self._plan.observation, self._plan.pictures
         now = plan.clock.stamp(tick)
         self._publish(observation.news(), now)

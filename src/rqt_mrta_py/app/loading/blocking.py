@@ -5,8 +5,8 @@ from __future__ import annotations
 import logging
 from typing import Dict, Sequence, Tuple
 
-from rqt_mrta_py.app.environment import BLOCK
-from rqt_mrta_py.app.own_plugins import OWN_PACKAGE
+from rqt_mrta_py.app.loading.environment import BLOCK
+from rqt_mrta_py.app.loading.own_plugins import OWN_PACKAGE
 from rqt_mrta_py.config import Registration, RegistrationKind, Registry
 from rqt_mrta_py.config.wording import accepted
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Dict, List, Optional, Tuple
 
-from rqt_mrta_py.app.description import describe_application, describe_architecture
+from rqt_mrta_py.app.catalogue.description import describe_application, describe_architecture
 from rqt_mrta_py.config import (
     Registration,
     RegistrationKind,

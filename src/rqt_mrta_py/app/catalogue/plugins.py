@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Dict, List, Optional, Sequence, Tuple
 
-from rqt_mrta_py.app.blocking import is_blocked
-from rqt_mrta_py.app.own_plugins import OWN_PACKAGE, OWN_PLUGINS
+from rqt_mrta_py.app.loading.blocking import is_blocked
+from rqt_mrta_py.app.loading.own_plugins import OWN_PACKAGE, OWN_PLUGINS
 from rqt_mrta_py.config import Registration, RegistrationKind, Registry
 
 __all__ = ["PluginEntry", "hook_entries", "plugin_entries", "surveyed"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Dict, List, Mapping, Sequence
 
 from rqt_mrta_py.app.guard import guarded, made, wishes_of
-from rqt_mrta_py.app.outputs import OutputFolder, safe_file_name
+from rqt_mrta_py.app.outputs.folder import OutputFolder, safe_file_name
 from rqt_mrta_py.errors import HookError, UsageError
 from rqt_mrta_py.hooks import Exporter, ExporterFactory, ExporterSetup, Heard, Subscription
 from rqt_mrta_py.hooks.manager import PluginManager

@@ -6,7 +6,7 @@ from collections import deque
 from concurrent.futures import Future, ThreadPoolExecutor
 from typing import Deque, List, Optional, Tuple
 
-from rqt_mrta_py.app.picture_files import PictureFiles
+from rqt_mrta_py.app.outputs.picture_files import PictureFiles
 from rqt_mrta_py.hooks import MonitorView, Outgoing, Renderer
 from rqt_mrta_py.render import jpeg
 

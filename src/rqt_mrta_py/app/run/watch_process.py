@@ -18,8 +18,8 @@ from contextlib import contextmanager
 from multiprocessing.connection import Connection
 from typing import Any, Callable, Iterator, List, NamedTuple, Optional, Tuple
 
-from rqt_mrta_py.app.results import Results
-from rqt_mrta_py.app.watch import WatchPlan, open_watch
+from rqt_mrta_py.app.outputs.results import Results
+from rqt_mrta_py.app.run.watch import WatchPlan, open_watch
 from rqt_mrta_py.errors import MrtaError
 from rqt_mrta_py.hooks import Codec, Stamped
 from rqt_mrta_py.sim import PerfectLink
@@ -209,10 +209,10 @@ def _watch(ends: _Ends) -> Optional[Results]:
                 return None
             if message == _FINISH:
                 return watch.finish()
-            with ends.plan.patience.at_work(f"the watching of the mission's tick at {tick / ends.plan.clock.rate:g} s"):
+            with ends.plan.patience.at_work(f"the watching of the tick at {tick / ends.plan.clock.rate:g} s"):
                 for stamped in unpacker.unpack(message):
                     watch.hear(stamped)
-                watch.end_tick(tick)
+            watch.end_tick(tick)
             tick += 1
             ends.room.release()
 

@@ -1,0 +1,7 @@
+"""What a run and a review leave.
+
+* ``folder``: where; nothing outside it, nothing half-written
+* ``results``: summary, events, incidents, dashboard, log; ``versions`` of libraries for it
+* ``pictures``: monitor pictures at their place in the stream; ``picture_files``: as files and as film
+* ``exports``: files in other programs' formats
+"""
