@@ -51,6 +51,12 @@ def test_command_of_any_finite_size_is_driven_at_full_speed_in_its_direction():
     assert math.hypot(x, y) == pytest.approx(0.5 * (2.0 - LAG), rel=1e-9)
 
 
+@pytest.mark.parametrize("speed", [0.0, 5e-324, 2e-309])
+def test_command_too_small_to_divide_by_is_no_trouble(speed):
+    x, y, _ = driven(DIFF_DRIVE, Twist(speed, 0.0, 0.0), 1.0)
+    assert (x, y) == (pytest.approx(0.0, abs=1e-300), 0.0)
+
+
 def test_omni_drive_goes_sideways_keeping_its_heading():
     x, y, yaw = driven(OMNI_DRIVE, Twist(0.0, 0.3, 0.0), 2.0, yaw=math.pi / 2)
     assert (x, y) == (pytest.approx(-0.3 * (2.0 - LAG), rel=1e-9), pytest.approx(0.0, abs=1e-9))

@@ -62,10 +62,10 @@ class Cells:
         return np.repeat(query, counts), self._order[np.repeat(begins, counts) + counting(counts)]
 
     def _column(self, x: Floats) -> Rows:
-        return np.clip((x - self._low_x) / self._cell, 0, self._columns - 1).astype(np.intp)
+        return _whole((x - self._low_x) / self._cell, self._columns)
 
     def _line(self, y: Floats) -> Rows:
-        return np.clip((y - self._low_y) / self._cell, 0, self._lines - 1).astype(np.intp)
+        return _whole((y - self._low_y) / self._cell, self._lines)
 
 
 def counting(counts: Rows) -> Rows:
@@ -73,3 +73,9 @@ def counting(counts: Rows) -> Rows:
     ends = np.cumsum(counts)
     total = int(ends[-1]) if ends.size else 0
     return np.arange(total) - np.repeat(ends - counts, counts)
+
+
+def _whole(numbers: Floats, count: int) -> Rows:
+    """Round down to whole numbers from 0 to below a count."""
+    rows: Rows = np.clip(numbers, 0, count - 1).astype(np.intp)
+    return rows

@@ -21,6 +21,9 @@ DRIVES = ("differential", "omni")
 LAG = 0.05
 """Time constant of all speeds: after it, 63 % of a change are made [s]."""
 
+_NOT_NOTHING = 1e-300
+"""To divide by where a robot neither can nor shall drive."""
+
 
 class Drive:
     """The bases of all robots.
@@ -94,6 +97,6 @@ class Drive:
         vx, vy, wz = np.array(self._commands, dtype=np.float64).reshape(3, self._count)
         vy = vy * self._sideways
         half_speed = np.hypot(vx / 2, vy / 2)  # half, for the whole may be beyond all numbers
-        with np.errstate(divide="ignore", invalid="ignore"):
-            scale = np.where(half_speed > self._max_speed / 2, self._max_speed / 2 / half_speed, 1.0)
+        most = self._max_speed / 2
+        scale = most / np.maximum(np.maximum(half_speed, most), _NOT_NOTHING)
         return np.stack((vx * scale, vy * scale, np.clip(wz, -self._max_turn_rate, self._max_turn_rate)))
