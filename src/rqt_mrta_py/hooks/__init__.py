@@ -17,7 +17,7 @@ Errors that a plugin may raise to be told in one line stand here too.
 
 from __future__ import annotations
 
-from rqt_mrta_py.errors import MrtaError, SimError, UsageError
+from rqt_mrta_py.errors import MissingDependencyError, MrtaError, SimError, UsageError
 from rqt_mrta_py.hooks.agent import Agent, AgentFactory, AgentSetup, Decision, Situation, TaskReport
 from rqt_mrta_py.hooks.allocation import (
     AllocationInterpreter,
@@ -133,6 +133,7 @@ __all__ = [
     "LinkSetup",
     "Listener",
     "MessageObserverFactory",
+    "MissingDependencyError",
     "MonitorPanel",
     "MonitorPanelFactory",
     "MonitorView",

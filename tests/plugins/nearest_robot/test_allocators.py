@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from nearest_robot.allocators import MissingScipyError, allocate_nearest, allocate_optimally
+from nearest_robot.allocators import allocate_nearest, allocate_optimally
 
-from rqt_mrta_py.hooks import AllocationProblem, Allocator
+from rqt_mrta_py.hooks import AllocationProblem, Allocator, MissingDependencyError
 from rqt_mrta_py.model import Task
 
 INF = math.inf
@@ -138,6 +138,6 @@ def test_both_give_each_robot_one_task_at_the_most_and_whole_teams(costs: List[L
 
 def test_optimal_says_what_to_install_where_scipy_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "scipy.optimize", None)
-    with pytest.raises(MissingScipyError, match="install scipy, or choose nearest_robot/nearest") as caught:
+    with pytest.raises(MissingDependencyError, match="install scipy, or choose nearest_robot/nearest") as caught:
         allocate_optimally(problem([[1.0]]))
     assert caught.value.exit_code == 4

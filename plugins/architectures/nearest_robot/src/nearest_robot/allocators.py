@@ -12,20 +12,14 @@ from typing import TYPE_CHECKING, Callable, Dict, List, Sequence, Tuple
 
 import numpy as np
 
-from rqt_mrta_py.hooks import AllocationProblem, MrtaError
+from rqt_mrta_py.hooks import AllocationProblem, MissingDependencyError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["MissingScipyError", "allocate_nearest", "allocate_optimally"]
+__all__ = ["allocate_nearest", "allocate_optimally"]
 
 _Pairs = List[Tuple[int, int]]
-
-
-class MissingScipyError(MrtaError):
-    """SciPy, which solves the assignment problem, is not installed."""
-
-    exit_code = 4
 
 
 def allocate_nearest(problem: AllocationProblem) -> Sequence[Tuple[str, str]]:
@@ -65,7 +59,7 @@ def allocate_optimally(problem: AllocationProblem) -> Sequence[Tuple[str, str]]:
         Pairs of task and robot, in the problem's order of tasks, then of robots.
 
     Raises:
-        MissingScipyError: SciPy is not installed.
+        MissingDependencyError: SciPy is not installed.
     """
     return _whole_teams(problem, _least_total)
 
@@ -113,7 +107,7 @@ def _least_total(costs: NDArray[np.float64], needed: List[int]) -> _Pairs:
     try:
         from scipy.optimize import linear_sum_assignment
     except ImportError as error:
-        raise MissingScipyError(
+        raise MissingDependencyError(
             "allocator nearest_robot/optimal: SciPy is not installed; install scipy, or choose nearest_robot/nearest"
         ) from error
     low, high = costs[finite].min(), costs[finite].max()
