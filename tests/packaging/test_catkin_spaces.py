@@ -1,0 +1,138 @@
+"""The devel and install spaces of a workspace that holds this repository and nothing else."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import socket
+from pathlib import Path
+from typing import Dict
+from xml.etree import ElementTree
+
+import pytest
+
+from tests.packaging.spaces import Space, Workspace, catkin_make, need_catkin
+
+pytestmark = pytest.mark.ros
+
+SAME = ("mission.bag", "summary.json", "events.jsonl", "incidents.jsonl")
+
+
+@pytest.fixture(scope="module")
+def workspace(tree: Path, tmp_path_factory: pytest.TempPathFactory) -> Workspace:
+    need_catkin()
+    folder = tmp_path_factory.mktemp("workspace").resolve()
+    shutil.copytree(tree, folder / "src" / "rqt_mrta_py")
+    return catkin_make(folder)
+
+
+@pytest.fixture(scope="module", params=["devel", "install"])
+def space(workspace: Workspace, request: pytest.FixtureRequest) -> Space:
+    return Space(workspace.folder / request.param)
+
+
+def plugin_folders(space: Space) -> Dict[str, Path]:
+    """Say where each package under plugins is to be found."""
+    packages = space.folder.parent / "src/rqt_mrta_py/plugins"
+    folders = {manifest.parent.name: manifest.parent for manifest in packages.glob("*/*/package.xml")}
+    if space.folder.name == "devel":
+        return folders
+    share = space.folder / "share"
+    stubs = share / "rqt_mrta_py" / "stubs"
+    return {name: (stubs if folder.parent.name == "stubs" else share) / name for name, folder in folders.items()}
+
+
+def test_cmake_has_nothing_to_warn_of(workspace: Workspace) -> None:
+    assert re.findall(r"CMake .*Warning.*\n.*", workspace.log) == []
+    assert "left out" not in workspace.log
+
+
+def test_rospack_finds_every_package(space: Space) -> None:
+    listed = dict(line.split(" ", 1) for line in space.run("rospack", "list").splitlines())
+    expected = plugin_folders(space)
+    assert {name: Path(listed[name]) for name in expected} == expected
+
+
+@pytest.mark.parametrize(
+    ("attribute", "names"),
+    [
+        ("architecture", {"mrta_alliance", "nearest_robot"}),
+        ("application", {"border_patrol"}),
+        ("plugin", {"basic_behaviours", "csv_tables", "mission_journal", "mrta_alliance", "nearest_robot"}),
+    ],
+)
+def test_rospack_lists_what_is_registered(space: Space, attribute: str, names: set[str]) -> None:
+    listed = space.run("rospack", "plugins", f"--attrib={attribute}", "rqt_mrta_py").splitlines()
+    exported = dict(line.split(" ", 1) for line in listed)
+    assert set(exported) == names
+    assert attribute == "plugin" or all(Path(file).is_file() for file in exported.values())
+
+
+def test_message_classes_of_every_package_are_imported(space: Space, tree: Path) -> None:
+    definitions = [*tree.glob("msg/*.msg"), *tree.glob("plugins/messages/*/msg/*.msg")]
+    modules = {path: ElementTree.parse(path.parents[1] / "package.xml").findtext("name") for path in definitions}
+    classes = " ".join(f"{package}/{path.stem}" for path, package in sorted(modules.items()))
+    script = (
+        "import sys, roslib.message\n"
+        "for name in sys.argv[1].split():\n"
+        "    print(sys.modules[roslib.message.get_message_class(name).__module__].__file__)\n"
+    )
+    files = [Path(line) for line in space.run("/usr/bin/python3", "-c", script, classes).splitlines()]
+    assert len(files) == len(definitions) > 10
+    assert [file for file in files if space.folder / "lib" not in file.parents] == []
+
+
+def test_rosmsg_shows_a_plugins_message(space: Space) -> None:
+    assert "float64[] costs" in space.run("rosmsg", "show", "nearest_robot_msgs/Bid")
+
+
+def test_mrta_lists_every_plugin_of_the_space(space: Space) -> None:
+    listing = json.loads(space.run("rosrun", "rqt_mrta_py", "mrta", "list", "--json"))
+    found = {entry["folder"] for entry in listing["plugins"] if entry["name"] != "rqt_mrta_py"}
+    assert {Path(folder) for folder in found} <= set(plugin_folders(space).values())
+    assert len(found) == 5
+
+
+def test_rosrun_runs_a_mission_to_the_same_bytes_in_both_spaces(workspace: Workspace) -> None:
+    outs = []
+    for space in workspace.spaces:
+        outs.append(workspace.folder / f"{space.folder.name}-run")
+        plan = ["run", "border_patrol", "--duration", "3", "--pictures", "0", "-q", "--out", str(outs[-1])]
+        space.run("rosrun", "rqt_mrta_py", "mrta", *plan)
+    for name in SAME:
+        assert (outs[0] / name).read_bytes() == (outs[1] / name).read_bytes(), name
+    assert (outs[0] / "mission.bag").stat().st_size > 0
+
+
+def test_roslaunch_runs_a_mission_under_another_architecture(space: Space, tmp_path: Path) -> None:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = str(probe.getsockname()[1])
+    out = tmp_path / "run"
+    options = "options:=--duration 2 --pictures 0 --architecture nearest_robot"
+    launch = ["application:=border_patrol", f"out:={out}", options]
+    done = space.finished("roslaunch", "-p", port, "rqt_mrta_py", "run.launch", *launch)
+    assert "finished cleanly" in done.stdout + done.stderr, done.stdout + done.stderr
+    assert json.loads((out / "summary.json").read_text(encoding="utf-8"))["architecture"] == "nearest_robot"
+
+
+def test_every_exported_file_is_installed(workspace: Workspace) -> None:
+    share = workspace.folder / "install" / "share"
+    exported = []
+    for manifest in share.glob("*/package.xml"):
+        for element in ElementTree.parse(manifest).iter("rqt_mrta_py"):
+            values = (value for value in element.attrib.values() if value.startswith("${prefix}/"))
+            exported += [manifest.parent / value[len("${prefix}/") :] for value in values]
+    assert len(exported) >= 5
+    assert [path for path in exported if not path.is_file()] == []
+
+
+def test_install_space_keeps_run_bits(workspace: Workspace) -> None:
+    assert (workspace.folder / "install/lib/rqt_mrta_py/mrta").stat().st_mode & 0o111
+    assert (workspace.folder / "install/bin/mrta").stat().st_mode & 0o111
+
+
+def test_setup_file_may_be_sourced_twice(space: Space) -> None:
+    twice = space.run("/bin/sh", "-c", f'. "{space.folder}/setup.sh"; echo "$ROS_PACKAGE_PATH"').strip().split(":")
+    assert len(twice) == len(set(twice))
