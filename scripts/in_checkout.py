@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Optional
 
 # What the project imports sooner or later, by name; looking for them imports nothing.
-NEEDED = ("rqt_mrta_py", "catkin_pkg", "cv2", "lxml", "numpy", "pluggy", "pybullet", "rosbags", "rospkg", "yaml")
+NEEDED = ("rqt_mrta_py", "cv2", "lxml", "numpy", "pluggy", "pybullet", "rosbags", "yaml")
 
 
 def call(module: str, function: str, script: str) -> None:
