@@ -35,6 +35,14 @@ def test_stub_runs_itself_again_in_the_checkouts_environment(checkout: Path) -> 
     assert result.returncode == 3
 
 
+def test_stub_runs_itself_again_in_the_virtual_environment_that_it_lies_in(checkout: Path) -> None:
+    program(checkout / "bin", "python", 'for word; do echo "<$word>"; done; exit 3')
+    (checkout / "pyvenv.cfg").touch()
+    result = call(checkout / "scripts/mrta", "list")
+    assert result.stdout.splitlines() == [f"<{checkout}/scripts/mrta>", "<list>"]
+    assert result.returncode == 3
+
+
 def test_stub_says_what_to_do_outside_of_a_checkout_that_was_set_up(checkout: Path) -> None:
     result = call(checkout / "scripts/mrta", "list")
     assert result.returncode == 4

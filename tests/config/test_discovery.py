@@ -172,6 +172,35 @@ def test_discovery_finds_the_packages_of_this_checkout_through_the_same_search(r
     assert registry.problems == ()
 
 
+def test_discovery_searches_what_came_with_another_copy_of_this_project_last(
+    tmp_path: Path, package: Callable[..., Path]
+) -> None:
+    """A checkout must not run the plugins that a wheel of it once left in the same environment."""
+    package("prefix/share/rqt_mrta_py")
+    package("prefix/share/border_patrol", application=True)
+    package("prefix/share/only_there", application=True)
+    own = package("own/border_patrol", application=True)
+
+    registry = search(prefix=str(tmp_path / "prefix"), own=[tmp_path / "own"])
+
+    assert registry.find("border_patrol").folder == own
+    assert names(registry) == ["border_patrol", "only_there"]
+
+
+def test_discovery_of_an_installation_keeps_to_the_documented_order(
+    tmp_path: Path, package: Callable[..., Path]
+) -> None:
+    share = package("prefix/share/rqt_mrta_py").parent
+    package("prefix/share/only_installed", application=True)
+    stubs = package("prefix/share/rqt_mrta_py/stubs/rqt_mrta", application=True).parent
+    package("prefix/share/group/nested", application=True)
+
+    registry = search(prefix=str(tmp_path / "prefix"), own=[share.resolve(), stubs.resolve()])
+
+    # Share folders are flat; the stubs lie below one, where nobody meets them by chance.
+    assert names(registry) == ["only_installed", "rqt_mrta"]
+
+
 def test_discovery_lets_a_package_of_the_user_stand_before_ours(package: Callable[..., Path]) -> None:
     folder = package("src/border_patrol", application=True)
 
