@@ -5,14 +5,14 @@ From these tables files are checked, and their documentation is written.
 
 from __future__ import annotations
 
-from typing import Mapping, Tuple
+from typing import Tuple
 
 from rqt_mrta_py.config.schema import Key, Table, ValueType
 from rqt_mrta_py.model import ScenarioEventKind
 
-__all__ = ["EVENT", "LARGEST_SHIFT", "RADIO", "UNDOES"]
+__all__ = ["EVENT", "RADIO"]
 
-LARGEST_SHIFT = 1e6
+_LARGEST_SHIFT = 1e6
 """A clock is off by no more; far beyond it stamps leave what ROS can tell [s]."""
 
 RADIO = Table(
@@ -21,14 +21,6 @@ RADIO = Table(
     (Key("kind", ValueType.TEXT, "Name under which the link is registered."),),
     further=True,
 )
-
-UNDOES: Mapping[ScenarioEventKind, ScenarioEventKind] = {
-    ScenarioEventKind.ROBOT_RETURNS: ScenarioEventKind.ROBOT_STOPS,
-    ScenarioEventKind.ROBOT_COMES_FREE: ScenarioEventKind.ROBOT_STICKS,
-    ScenarioEventKind.RADIO_RETURNS: ScenarioEventKind.RADIO_FAILS,
-    ScenarioEventKind.RADIO_HEALS: ScenarioEventKind.RADIO_PARTITIONS,
-}
-"""Kinds that end what another kind began; those of one robot are counted, as many ends as beginnings."""
 
 _ROBOT = Key("robot", ValueType.TEXT, "Id of the robot that it happens to.")
 _TASK = Key("task", ValueType.TEXT, "Id of the task that it happens to.")
@@ -69,8 +61,8 @@ _FORMS: Tuple[Tuple[ScenarioEventKind, str, Tuple[Key, ...]], ...] = (
                     ValueType.NUMBER,
                     "The robot's clock minus the true one; 0 sets it right.",
                     "s",
-                    minimum=-LARGEST_SHIFT,
-                    maximum=LARGEST_SHIFT,
+                    minimum=-_LARGEST_SHIFT,
+                    maximum=_LARGEST_SHIFT,
                 )
             ),
         ),

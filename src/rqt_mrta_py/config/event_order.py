@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple
 
-from rqt_mrta_py.config.event_form import UNDOES
 from rqt_mrta_py.config.wording import accepted
 from rqt_mrta_py.model import ScenarioEvent, ScenarioEventKind
 
@@ -98,7 +97,7 @@ class _Undoing:
 
     def enter(self, event: ScenarioEvent) -> Iterator[Tuple[str, str]]:
         """Let an event happen; yield key and message of what is wrong."""
-        kind = UNDOES.get(event.kind, event.kind)
+        kind = event.kind.undoes or event.kind
         begun = self._begun.get((kind, event.robot), 0)
         if kind is event.kind:
             # Of robots' troubles there may be many at a time, of partitions one.

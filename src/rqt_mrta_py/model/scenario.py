@@ -134,6 +134,22 @@ class ScenarioEventKind(Enum):
     TASK_WITHDRAWN = "task_withdrawn"
     TASK_REASSIGNED = "task_reassigned"
 
+    @property
+    def undoes(self) -> Optional[ScenarioEventKind]:
+        """Give the kind that this one ends; None if it ends none.
+
+        What happens to one robot is counted: it takes as many ends as there were beginnings.
+        """
+        return _UNDOES.get(self)
+
+
+_UNDOES = {
+    ScenarioEventKind.ROBOT_RETURNS: ScenarioEventKind.ROBOT_STOPS,
+    ScenarioEventKind.ROBOT_COMES_FREE: ScenarioEventKind.ROBOT_STICKS,
+    ScenarioEventKind.RADIO_RETURNS: ScenarioEventKind.RADIO_FAILS,
+    ScenarioEventKind.RADIO_HEALS: ScenarioEventKind.RADIO_PARTITIONS,
+}
+
 
 @dataclass(frozen=True)
 class ScenarioEvent:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import Counter
 from typing import Dict, Mapping, Sequence, Set, Tuple
 
-from rqt_mrta_py.config.event_form import UNDOES
 from rqt_mrta_py.hooks import Link, World
 from rqt_mrta_py.model import ScenarioEvent, ScenarioEventKind
 from rqt_mrta_py.sim.clocks import RobotClock
@@ -63,7 +62,7 @@ class Faults:
         elif kind is ScenarioEventKind.ROBOT_CLOCK_SHIFTS:
             self._clocks.setdefault(event.robot, RobotClock()).shift(event.parameters["offset"], now)
         else:
-            self._count(UNDOES.get(kind, kind), event.robot, 1 if kind not in UNDOES else -1)
+            self._count(kind.undoes or kind, event.robot, 1 if kind.undoes is None else -1)
 
     def stopped(self, robot_id: str) -> bool:
         """Tell whether a robot stands still and is silent."""
