@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import Enum
+from typing import Optional
 
 __all__ = ["Outcome", "Progress", "RobotState", "Severity", "TaskState"]
 
@@ -39,7 +40,10 @@ class Outcome(Enum):
 
 
 class Progress(Enum):
-    """What a behaviour says of the task it carries out, or an operator of a task."""
+    """What a behaviour says of the task it carries out, or an operator of a task.
+
+    Members stand in the order of the constants of ``rqt_mrta_py/TaskProgress``, which count from 0.
+    """
 
     RUNNING = "running"
     DONE = "done"
@@ -48,6 +52,17 @@ class Progress(Enum):
     APPEARED = "appeared"
     WITHDRAWN = "withdrawn"
     REASSIGNED = "reassigned"
+
+    @property
+    def code(self) -> int:
+        """Give the constant of ``rqt_mrta_py/TaskProgress``."""
+        return list(Progress).index(self)
+
+    @classmethod
+    def of_code(cls, code: int) -> Optional[Progress]:
+        """Read a constant of ``rqt_mrta_py/TaskProgress``; None for a number that nobody has defined."""
+        members = list(cls)
+        return members[code] if 0 <= code < len(members) else None
 
 
 class Severity(Enum):

@@ -12,16 +12,6 @@ from rqt_mrta_py.model import Progress, Task, normalise_id
 
 __all__ = ["PROGRESS", "HeardProgress", "log_message", "progress_message", "read_definition", "read_progress"]
 
-# The constants of rqt_mrta_py/TaskProgress, each at the index of its value.
-_PROGRESS_BY_CODE = (
-    Progress.RUNNING,
-    Progress.DONE,
-    Progress.FAILED,
-    Progress.UNREACHABLE,
-    Progress.APPEARED,
-    Progress.WITHDRAWN,
-    Progress.REASSIGNED,
-)
 _TOPIC = "/mrta/task_progress"
 _TYPE = "rqt_mrta_py/TaskProgress"
 _INFO = 2  # rosgraph_msgs/Log.INFO
@@ -52,13 +42,13 @@ class HeardProgress(NamedTuple):
 def read_progress(heard: Heard) -> Optional[HeardProgress]:
     """Read a message of ``PROGRESS``; None if its progress is a number that nobody has defined."""
     fields = heard.fields
-    code = fields["progress"]
-    if not 0 <= code < len(_PROGRESS_BY_CODE):
+    progress = Progress.of_code(fields["progress"])
+    if progress is None:
         return None
     return HeardProgress(
         normalise_id(fields["task_id"]),
         normalise_id(fields["robot_id"]),
-        _PROGRESS_BY_CODE[code],
+        progress,
         fields["detail"],
         fields["task_yaml"],
     )
@@ -90,7 +80,7 @@ def progress_message(robot_id: str, task_id: str, progress: Progress, detail: st
         "header": {"stamp": now},
         "task_id": task_id,
         "robot_id": robot_id,
-        "progress": _PROGRESS_BY_CODE.index(progress),
+        "progress": progress.code,
         "detail": detail,
     }
     return Outgoing(_TOPIC, _TYPE, fields)

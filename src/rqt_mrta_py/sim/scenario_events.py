@@ -8,7 +8,7 @@ import yaml
 
 from rqt_mrta_py.config import dump_task
 from rqt_mrta_py.hooks import Outgoing
-from rqt_mrta_py.model import ScenarioEvent, ScenarioEventKind, ScenarioSpec, Task
+from rqt_mrta_py.model import Progress, ScenarioEvent, ScenarioEventKind, ScenarioSpec, Task
 from rqt_mrta_py.sim.messages import header
 from rqt_mrta_py.sim.radio import radio_of
 
@@ -17,11 +17,11 @@ __all__ = ["in_order", "label_of", "order_of"]
 _MOST_NAMES = 5
 _MOST_GROUPS = 4
 
-# The constants of rqt_mrta_py/TaskProgress that operators use, and what they say.
+# What operators say of a task, and why.
 _ORDERS = {
-    ScenarioEventKind.TASK_APPEARS: (4, "there is a new task"),
-    ScenarioEventKind.TASK_WITHDRAWN: (5, "an operator takes it back"),
-    ScenarioEventKind.TASK_REASSIGNED: (6, "an operator gives it to another robot"),
+    ScenarioEventKind.TASK_APPEARS: (Progress.APPEARED, "there is a new task"),
+    ScenarioEventKind.TASK_WITHDRAWN: (Progress.WITHDRAWN, "an operator takes it back"),
+    ScenarioEventKind.TASK_REASSIGNED: (Progress.REASSIGNED, "an operator gives it to another robot"),
 }
 
 
@@ -62,13 +62,13 @@ def order_of(event: ScenarioEvent, task: Optional[Task], now: float) -> Optional
     """
     if event.kind not in _ORDERS:
         return None
-    code, detail = _ORDERS[event.kind]
+    progress, detail = _ORDERS[event.kind]
     appears = event.kind is ScenarioEventKind.TASK_APPEARS
     fields = {
         "header": header(now, ""),
         "task_id": event.task or "",
         "robot_id": event.robot or "",
-        "progress": code,
+        "progress": progress.code,
         "detail": detail,
         "task_yaml": dump_task(task) if appears and task is not None else "",
     }

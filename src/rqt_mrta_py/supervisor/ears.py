@@ -26,7 +26,6 @@ Callback = Callable[[Heard], None]
 _MINIMUM_SILENCE = 2.0
 _PROGRESS_TOPIC = "/mrta/task_progress"
 _PROGRESS_TYPE = "rqt_mrta_py/TaskProgress"
-_PROGRESS = tuple(Progress)
 _OPERATOR = frozenset({Progress.APPEARED, Progress.WITHDRAWN, Progress.REASSIGNED})
 
 
@@ -201,15 +200,16 @@ class Ears:
     def _hear_progress(self, heard: Heard) -> None:
         self._enter(heard)
         code = heard.fields["progress"]
-        if not 0 <= code < len(_PROGRESS):
-            self._report(heard, f"progress is {code}; accepted is 0 to {len(_PROGRESS) - 1}")
+        progress = Progress.of_code(code)
+        if progress is None:
+            self._report(heard, f"progress is {code}; accepted is 0 to {len(Progress) - 1}")
             return
         robot_id = normalise_id(text_of(heard.fields, "robot_id"))
-        if _PROGRESS[code] not in _OPERATOR:
+        if progress not in _OPERATOR:
             self._hear_speaker(robot_id, heard)
         task_id = normalise_id(text_of(heard.fields, "task_id"))
         detail = text_of(heard.fields, "detail")
-        self._statements.reported(Report(task_id, robot_id, _PROGRESS[code], detail), heard)
+        self._statements.reported(Report(task_id, robot_id, progress, detail), heard)
 
     def _hear_speaker(self, robot_id: str, heard: Heard) -> None:
         """Count the robot that a message names as heard, unless somebody is known to have sent it."""
