@@ -156,6 +156,15 @@ def test_things_at_different_heights_pass_each_other(world):
     assert world.bodies()["lintel"].position == (0.0, 1.0, 0.35)
 
 
+def test_blocks_stacked_to_the_rounding_lie_still(world):
+    """0.3 - 0.1 is a little less than 0.1 + 0.1."""
+    world.reset(setup(Pose(-2.0, 0.0)))
+    world.add_body(replace(BLOCK, id="lower", position=(0.0, 0.0, 0.1)))
+    world.add_body(replace(BLOCK, id="upper", position=(0.05, 0.0, 0.3)))
+    run(world, 1.0)
+    assert [state.position[0] for state in world.bodies().values()] == [0.0, 0.05]
+
+
 def test_carried_body_stops_its_robot_at_a_wall_and_touches_it(world):
     world.reset(setup(Pose(2.0, 0.0)))
     world.add_body(replace(BLOCK, position=(2.3, 0.0, 0.1)))

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from rqt_mrta_py.hooks import Body, PlacedRobot, WorldSetup
 from rqt_mrta_py.model import Arena, Obstacle, Pose
-from rqt_mrta_py.sim.planar import PlanarWorld
+from rqt_mrta_py.sim.planar import PlanarWorld, sight
 from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
 from tests.sim.planar import polygons
 from tests.sim.worlds import setup
@@ -94,6 +94,17 @@ def test_robot_sees_what_it_carries_and_not_through_it():
     world.add_body(Body("block", (0.0, 0.3, 0.1), 0.0, (0.2, 0.2, 0.2), 0.5))
     world.attach("r0", "block")
     assert world.ranges(["r0"], np.zeros(1), 4.0)[0, 0] == pytest.approx(0.2)
+
+
+def test_crowd_that_sees_all_of_itself_is_served_a_part_at_a_time(monkeypatch):
+    starts = [Pose(0.6 * (i % 8) - 2.5, 0.6 * (i // 8) - 1.5, 0.3 * i) for i in range(40)]
+    robots = [f"r{index}" for index in range(40)]
+    world = PlanarWorld()
+    world.reset(setup(*starts))
+    bearings = np.linspace(-3.0, 3.0, 30)
+    at_once = world.ranges(robots, bearings, 10.0)
+    monkeypatch.setattr(sight, "_AT_ONCE", 200)
+    np.testing.assert_array_equal(world.ranges(robots, bearings, 10.0), at_once)
 
 
 def test_many_rays_and_bearings_that_repeat_are_served():

@@ -21,9 +21,6 @@ DRIVES = ("differential", "omni")
 LAG = 0.05
 """Time constant of all speeds: after it, 63 % of a change are made [s]."""
 
-_NOT_NOTHING = 1e-300
-"""To divide by where a robot neither can nor shall drive."""
-
 
 class Drive:
     """The bases of all robots.
@@ -98,5 +95,5 @@ class Drive:
         vy = vy * self._sideways
         half_speed = np.hypot(vx / 2, vy / 2)  # half, for the whole may be beyond all numbers
         most = self._max_speed / 2
-        scale = most / np.maximum(np.maximum(half_speed, most), _NOT_NOTHING)
+        scale = most / np.maximum(half_speed, most)
         return np.stack((vx * scale, vy * scale, np.clip(wz, -self._max_turn_rate, self._max_turn_rate)))

@@ -17,6 +17,9 @@ __all__ = ["FixedMeetings", "Meetings", "MovingMeetings"]
 _FORESIGHT = 0.2
 """Pairs are kept that would meet if they came nearer by this; found anew once something has moved half of it [m]."""
 
+_LEVEL = 1e-6
+"""What overlaps less in height lies on top of the other [m]."""
+
 
 class Meetings(NamedTuple):
     """Pairs that overlap, or nearly so.
@@ -90,7 +93,7 @@ class FixedMeetings:
         """Find what reaches beyond the inner face of a wall, whatever lies behind that."""
         crowd, arena = self._crowd, self._arena
         x, y, _ = crowd.poses
-        is_low = crowd.footprints.low < arena.wall_height
+        is_low = crowd.footprints.low < arena.wall_height - _LEVEL
         found = []
         for axis, (place, low, high) in enumerate(((x, arena.min_x, arena.max_x), (y, arena.min_y, arena.max_y))):
             off_centre = place - (low + high) / 2
@@ -125,7 +128,8 @@ class _Kept:
         x, y, _ = crowd.poses[:, first] - others.poses[:, second]
         radii = shapes.radius[first] + other_shapes.radius[second]
         may_meet = x * x + y * y < (radii + _FORESIGHT) ** 2
-        may_meet &= (shapes.low[first] < other_shapes.high[second]) & (other_shapes.low[second] < shapes.high[first])
+        may_meet &= shapes.low[first] < other_shapes.high[second] - _LEVEL
+        may_meet &= other_shapes.low[second] < shapes.high[first] - _LEVEL
         first, second, radii = first[may_meet], second[may_meet], radii[may_meet]
         order = np.lexsort((second, first))
         self.first, self.second, self.radii = first[order], second[order], radii[order]

@@ -20,6 +20,8 @@ __all__ = ["Sight"]
 _FULL_TURN = 2 * np.pi
 _BARELY = 1e-9
 """By how much an angle may be off by rounding [rad]."""
+_AT_ONCE = 4_000_000
+"""Rays, and pairs of a robot and a thing, looked at together, which bounds the memory."""
 _PARALLEL = 1e-300
 """Stands for no component across a face, so that dividing by it gives a huge number and not none."""
 
@@ -60,12 +62,17 @@ class Sight:
         crowd = self._crowd
         if self._crowd_now is None or self._lineup != crowd.lineup:
             self._crowd_now, self._lineup = _Things(crowd.placed()), crowd.lineup
-        rays = _Rays(crowd.poses[:, rows], self._heights[rows], bearings, max_range)
-        seen = np.full(rays.directions.shape, np.inf)
-        self._look_at_walls(rays, seen)
-        if bearings.size:
-            self._obstacles.look(rays, None, seen)
-            self._crowd_now.look(rays, rows, seen)
+        seen = np.full((rows.size, bearings.size), np.inf)
+        if not bearings.size:
+            return seen
+        things = self._obstacles.count + self._crowd_now.count
+        at_once = max(1, _AT_ONCE // (things + bearings.size))
+        for first in range(0, rows.size, at_once):
+            some, nearest = rows[first : first + at_once], seen[first : first + at_once]
+            rays = _Rays(crowd.poses[:, some], self._heights[some], bearings, max_range)
+            self._look_at_walls(rays, nearest)
+            self._obstacles.look(rays, None, nearest)
+            self._crowd_now.look(rays, some, nearest)
         seen[~(seen <= max_range)] = np.inf
         return seen
 
@@ -130,11 +137,16 @@ class _Rays:
 
 
 class _Things:
-    """Things that can be seen, where they are now."""
+    """Things that can be seen, where they are now.
+
+    Attributes:
+        count: how many.
+    """
 
     def __init__(self, placed: Placed) -> None:
         self._footprints, self._poses, _ = placed
         self._cells = Cells(self._poses[0], self._poses[1])
+        self.count = self._poses.shape[1]
 
     def look(self, rays: _Rays, own: Optional[Rows], seen: Floats) -> None:
         """Shorten distances to those of things that are nearer.
