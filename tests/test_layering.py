@@ -12,16 +12,19 @@ ROOT = Path(__file__).resolve().parent.parent
 SOURCE = ROOT / "src" / "rqt_mrta_py"
 PLUGINS = ROOT / "plugins"
 
+BESIDE = ("errors", "wording")
+
 LADDER: Dict[str, FrozenSet[str]] = {
     "errors": frozenset(),
+    "wording": frozenset(),
     "model": frozenset({"errors"}),
-    "config": frozenset({"errors", "model"}),
-    "hooks": frozenset({"errors", "model", "config"}),
+    "config": frozenset({*BESIDE, "model"}),
+    "hooks": frozenset({*BESIDE, "model", "config"}),
 }
 MIDDLE = ("transport", "supervisor", "robot", "sim", "render")
 for room in MIDDLE:
-    LADDER[room] = frozenset({"errors", "model", "config", "hooks"})
-LADDER["app"] = frozenset({"errors", "model", "config", "hooks", *MIDDLE})
+    LADDER[room] = frozenset({*BESIDE, "model", "config", "hooks"})
+LADDER["app"] = frozenset({*BESIDE, "model", "config", "hooks", *MIDDLE})
 
 DOORS = {
     "rospy": "transport/ros1",

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any, Callable, Dict, List, Mapping, Tuple, TypeVar
 
-from rqt_mrta_py.config.wording import shown
 from rqt_mrta_py.errors import HookError, MrtaError
 from rqt_mrta_py.hooks import Curve, CurveGroup, CurvePanel, Heard, MonitorPanel, MonitorView, Renderer, Subscription
+from rqt_mrta_py.wording import shown
 
 __all__ = ["GuardedPanel", "guarded", "guarded_renderer", "made", "makers", "wishes_of"]
 

@@ -1,6 +1,6 @@
 """Reads what users and packages write, and knows the line of every value.
 
-* ``problems``, ``wording``: all problems of a file at once, each with where, what is wrong, what is accepted
+* ``problems``: all problems of a file at once, each with where, what is wrong, what is accepted
 * ``xml_text``, ``element``: XML text to a cursor with typed getters
 * ``architecture``, ``application``: both flavours of rqt_mrta.xml; ``topics``, ``templates``, ``launches``,
   ``flavour`` and ``ids`` are their parts

@@ -9,8 +9,8 @@ from rqt_mrta_py.config.flavour import read_flavour
 from rqt_mrta_py.config.launches import read_launches
 from rqt_mrta_py.config.templates import read_configs
 from rqt_mrta_py.config.topics import read_topics
-from rqt_mrta_py.config.wording import accepted
 from rqt_mrta_py.model import AllocationType, ArchitectureSpec, RobotType, TaskType, Taxonomy
+from rqt_mrta_py.wording import accepted
 
 __all__ = ["read_architecture"]
 

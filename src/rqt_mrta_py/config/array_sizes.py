@@ -13,8 +13,8 @@ from typing import Callable, Dict, Optional, Sequence
 from rqt_mrta_py.config.layers import Given, GivenValues
 from rqt_mrta_py.config.parameter_context import ParameterContext, Path, Place
 from rqt_mrta_py.config.values import check_value, parse_text
-from rqt_mrta_py.config.wording import shown
 from rqt_mrta_py.model import ArrayTemplate, MapTemplate, ParameterTemplate, ParameterType, TemplateItem
+from rqt_mrta_py.wording import shown
 
 __all__ = ["TASK_TOKEN", "ArraySize", "ArraySizer"]
 

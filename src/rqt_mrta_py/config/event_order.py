@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple
 
-from rqt_mrta_py.config.wording import accepted
 from rqt_mrta_py.model import ScenarioEvent, ScenarioEventKind
+from rqt_mrta_py.wording import accepted
 
 __all__ = ["EventProblem", "appearing_tasks", "find_misfits"]
 

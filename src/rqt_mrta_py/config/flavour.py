@@ -6,7 +6,7 @@ from typing import Callable, TypeVar, Union
 
 from rqt_mrta_py.config.element import Element, open_document
 from rqt_mrta_py.config.problems import Problems
-from rqt_mrta_py.config.wording import shown
+from rqt_mrta_py.wording import shown
 
 __all__ = ["read_flavour"]
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from rqt_mrta_py.config.element import Element
-from rqt_mrta_py.config.wording import shown
 from rqt_mrta_py.model import normalise_id
+from rqt_mrta_py.wording import shown
 
 __all__ = ["read_id"]
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Set, Tuple, Union
 
 from rqt_mrta_py.config.parameter_context import Path, Place
-from rqt_mrta_py.config.wording import accepted, shown
 from rqt_mrta_py.config.yaml_text import YamlNode, parse_yaml
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ArrayTemplate, MapTemplate, ParameterTemplate, TemplateItem, normalise_id
+from rqt_mrta_py.wording import accepted, shown
 
 __all__ = ["COMMAND_LINE", "Given", "GivenValues", "Layer", "Path", "split_overrides", "xml_layer", "yaml_layer"]
 

@@ -16,9 +16,9 @@ from lxml import etree
 
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.registration import Registration, RegistrationKind
-from rqt_mrta_py.config.wording import accepted, shown
 from rqt_mrta_py.config.xml_text import line_of, parse_xml
 from rqt_mrta_py.errors import ConfigError, Problem
+from rqt_mrta_py.wording import accepted, shown
 
 __all__ = ["HOSTS", "Manifest", "read_manifest"]
 

@@ -14,10 +14,10 @@ from rqt_mrta_py.config.robot_parameters import ParameterChecks, Team, resolve_t
 from rqt_mrta_py.config.scenario import read_scenario
 from rqt_mrta_py.config.source import Source, find_source, read_file
 from rqt_mrta_py.config.tasks import read_tasks
-from rqt_mrta_py.config.wording import accepted, shown
 from rqt_mrta_py.config.xml_text import decode_xml
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ApplicationSpec, Mission, MissionTexts, ScenarioSpec, Task
+from rqt_mrta_py.wording import accepted, shown
 
 __all__ = ["load_mission", "load_observed", "mission_from_texts"]
 

@@ -6,9 +6,9 @@ from typing import Any, Dict, Mapping, Union
 
 import yaml
 
-from rqt_mrta_py.config.wording import shown
 from rqt_mrta_py.config.yaml_text import parse_yaml
 from rqt_mrta_py.errors import ConfigError, Problem
+from rqt_mrta_py.wording import shown
 
 __all__ = ["dump_parameters", "parse_parameters"]
 

@@ -10,9 +10,9 @@ from rqt_mrta_py.config.array_sizes import TASK_TOKEN, ArraySize, ArraySizer
 from rqt_mrta_py.config.layers import Given, GivenValues, Layer
 from rqt_mrta_py.config.parameter_context import ParameterContext, Path, Place
 from rqt_mrta_py.config.values import WANTED, Scalar, check_value, parse_text
-from rqt_mrta_py.config.wording import accepted
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ArrayTemplate, ConfigTemplate, MapTemplate, ParameterTemplate, TemplateItem
+from rqt_mrta_py.wording import accepted
 
 __all__ = ["ParameterContext", "ResolvedParameters", "locate_problems", "resolve_parameters"]
 

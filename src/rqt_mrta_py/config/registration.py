@@ -7,8 +7,8 @@ from enum import Enum
 from pathlib import Path
 from typing import Mapping, Optional, Tuple
 
-from rqt_mrta_py.config.wording import accepted
 from rqt_mrta_py.errors import DiscoveryError, Problem
+from rqt_mrta_py.wording import accepted
 
 __all__ = ["Registration", "RegistrationKind", "Registry"]
 

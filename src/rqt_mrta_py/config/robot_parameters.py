@@ -9,9 +9,9 @@ from rqt_mrta_py.config.layers import Layer, split_overrides, xml_layer, yaml_la
 from rqt_mrta_py.config.parameter_context import ParameterContext
 from rqt_mrta_py.config.parameters import ResolvedParameters, locate_problems, resolve_parameters
 from rqt_mrta_py.config.source import read_file
-from rqt_mrta_py.config.wording import accepted
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ApplicationRobot, ApplicationSpec, ArchitectureSpec, ConfigTemplate, Task
+from rqt_mrta_py.wording import accepted
 
 __all__ = ["ParameterChecks", "Team", "config_name", "resolve_shared", "resolve_team"]
 

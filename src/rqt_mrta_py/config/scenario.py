@@ -9,7 +9,6 @@ from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.scenario_events import read_events
 from rqt_mrta_py.config.scenario_form import SCENARIO_FILE
 from rqt_mrta_py.config.schema import Row, read_document
-from rqt_mrta_py.config.wording import accepted, shown
 from rqt_mrta_py.config.yaml_text import parse_yaml
 from rqt_mrta_py.model import (
     Arena,
@@ -22,6 +21,7 @@ from rqt_mrta_py.model import (
     is_legal_name,
     normalise_id,
 )
+from rqt_mrta_py.wording import accepted, shown
 
 __all__ = ["read_scenario"]
 

@@ -8,9 +8,9 @@ from rqt_mrta_py.config.parameter_file import dump_parameters
 from rqt_mrta_py.config.places import PLACE, pose_of
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.schema import Key, Row, Table, ValueType, read_document
-from rqt_mrta_py.config.wording import shown
 from rqt_mrta_py.config.yaml_text import parse_yaml
 from rqt_mrta_py.model import Pose, Task, normalise_id
+from rqt_mrta_py.wording import shown
 
 __all__ = ["TASK", "check_id", "dump_task", "id_of", "read_task", "task_of"]
 

@@ -6,8 +6,8 @@ import re
 from typing import List, Optional, Tuple
 
 from rqt_mrta_py.config.element import Element
-from rqt_mrta_py.config.wording import shown
 from rqt_mrta_py.model import MonitoredTopic, is_legal_name
+from rqt_mrta_py.wording import shown
 
 __all__ = ["read_topics"]
 

@@ -6,8 +6,8 @@ import math
 import re
 from typing import Any, Union
 
-from rqt_mrta_py.config.wording import shown
 from rqt_mrta_py.model import ParameterType
+from rqt_mrta_py.wording import shown
 
 __all__ = ["WANTED", "Scalar", "check_value", "has_token", "parse_text"]
 

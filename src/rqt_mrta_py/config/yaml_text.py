@@ -13,8 +13,8 @@ from typing import Any, Dict, List, Optional, Tuple, Union
 import yaml
 
 from rqt_mrta_py.config.problems import Problems
-from rqt_mrta_py.config.wording import shown
 from rqt_mrta_py.errors import ConfigError, Problem
+from rqt_mrta_py.wording import shown
 
 __all__ = ["YamlNode", "parse_yaml"]
 

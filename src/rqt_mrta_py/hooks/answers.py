@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from typing import Mapping, Optional, Pattern, Tuple
 
-from rqt_mrta_py.config.wording import shown
 from rqt_mrta_py.hooks.benchmark import Benchmark
 from rqt_mrta_py.hooks.robot_model import RobotModel
 from rqt_mrta_py.hooks.verb import Verb
+from rqt_mrta_py.wording import shown
 
 __all__ = ["registration_breach"]
 

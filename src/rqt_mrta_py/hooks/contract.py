@@ -8,8 +8,8 @@ from __future__ import annotations
 import inspect
 from typing import Any, Dict, List, Mapping
 
-from rqt_mrta_py.config.wording import accepted, nearest
 from rqt_mrta_py.hooks.specs import PROJECT, HookSpecs
+from rqt_mrta_py.wording import accepted, nearest
 
 __all__ = ["HOOKS", "contract_breaches"]
 

@@ -14,7 +14,6 @@ from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Seq
 
 import pluggy
 
-from rqt_mrta_py.config.wording import accepted, shown
 from rqt_mrta_py.errors import HookError
 from rqt_mrta_py.hooks.answers import registration_breach
 from rqt_mrta_py.hooks.contract import HOOKS, contract_breaches
@@ -22,6 +21,7 @@ from rqt_mrta_py.hooks.parameters import ParameterProblem
 from rqt_mrta_py.hooks.patience import OutOfPatienceError, Patience
 from rqt_mrta_py.hooks.specs import PROJECT, HookSpecs
 from rqt_mrta_py.hooks.trace import HookTrace
+from rqt_mrta_py.wording import accepted, shown
 
 __all__ = ["PluginManager"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from logging import Logger
 from typing import Any, Callable, Mapping, TypeVar
 
-from rqt_mrta_py.config.wording import shown
+from rqt_mrta_py.wording import shown
 
 __all__ = ["HookTrace"]
 

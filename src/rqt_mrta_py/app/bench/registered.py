@@ -7,10 +7,10 @@ import math
 from typing import Any, Dict
 
 from rqt_mrta_py.app.guard import guarded
-from rqt_mrta_py.config.wording import accepted, shown
 from rqt_mrta_py.errors import HookError, UsageError
 from rqt_mrta_py.hooks import Benchmark, BenchmarkTable
 from rqt_mrta_py.hooks.manager import PluginManager
+from rqt_mrta_py.wording import accepted, shown
 
 __all__ = ["benchmark_named", "benchmarks_of", "measured", "owner_of", "prepared"]
 

@@ -9,8 +9,8 @@ from typing import Any, Dict, NamedTuple, Sequence
 from rqt_mrta_py.app.cli.common import complain_about
 from rqt_mrta_py.app.cli.stdout import standard_output
 from rqt_mrta_py.app.guard import guarded
-from rqt_mrta_py.config.wording import accepted, shown
 from rqt_mrta_py.errors import HookError, MrtaError, UsageError
+from rqt_mrta_py.wording import accepted, shown
 
 __all__ = ["add_plugin_verb", "help_on_plugin_verbs"]
 

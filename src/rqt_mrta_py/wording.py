@@ -1,4 +1,4 @@
-"""Words that every message about a configuration shares: the value received, and what would have been accepted."""
+"""Words that messages of every room share: the value received, and what would have been accepted."""
 
 from __future__ import annotations
 
