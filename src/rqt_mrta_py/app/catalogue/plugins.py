@@ -43,7 +43,7 @@ def plugin_entries(registry: Registry, blocked: Sequence[str]) -> List[PluginEnt
     found: Dict[str, PluginEntry] = {}
     for registration in registry.of_kind(RegistrationKind.PLUGIN):
         found.setdefault(registration.plugin, _entry(registration, blocked))
-    rooms = Path(__file__).resolve().parent.parent
+    rooms = Path(__file__).resolve().parents[2]
     return [*found.values(), *(PluginEntry(module, OWN_PACKAGE, rooms) for module in OWN_PLUGINS)]
 
 
