@@ -8,7 +8,7 @@ Rooms, from the ground up (each may import those before it, those in braces neve
 * {``transport``, ``supervisor``, ``robot``, ``sim``, ``render``}: the five middle rooms
 * ``app``: wires them together; the command line
 
-``errors`` stands beside the rooms and imports nothing.
+``errors`` and ``wording`` stand beside the rooms and import nothing.
 """
 
 from __future__ import annotations

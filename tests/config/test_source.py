@@ -8,8 +8,8 @@ from typing import Callable
 import pytest
 
 from rqt_mrta_py.config import RegistrationKind, Registry
-from rqt_mrta_py.config.source import Source, find_source, read_file
-from rqt_mrta_py.errors import ConfigError, DiscoveryError
+from rqt_mrta_py.config.source import Source, find_source
+from rqt_mrta_py.errors import DiscoveryError
 
 Write = Callable[[str, str], Path]
 
@@ -49,10 +49,3 @@ def test_source_of_a_package_that_registers_something_else_is_refused(write: Wri
         find_source(Registry(), str(folder), RegistrationKind.APPLICATION)
 
     assert str(caught.value) == f"{folder}: its package.xml registers no application; name the rqt_mrta.xml itself"
-
-
-def test_read_file_says_why_it_cannot(tmp_path: Path) -> None:
-    with pytest.raises(ConfigError) as caught:
-        read_file(tmp_path)
-
-    assert str(caught.value) == f"{tmp_path}: cannot be read: Is a directory"

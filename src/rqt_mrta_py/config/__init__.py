@@ -12,7 +12,7 @@
 * ``values``, ``layers``, ``array_sizes``, ``parameters``: templates and what is given to one robot's parameters;
   ``parameter_context`` says for whom, ``robot_parameters`` from which files, ``parameter_file`` writes them
 * ``mission``: all of it joined
-* ``whole_file``: files that are there whole or not at all
+* ``files``: read whole; written whole or not at all
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from __future__ import annotations
 from rqt_mrta_py.config.application import read_application
 from rqt_mrta_py.config.architecture import read_architecture
 from rqt_mrta_py.config.discovery import discover, own_packages
+from rqt_mrta_py.config.files import write_whole
 from rqt_mrta_py.config.manifest import Manifest, read_manifest
 from rqt_mrta_py.config.mission import load_mission, load_observed, mission_from_texts
 from rqt_mrta_py.config.parameter_context import ParameterContext
@@ -30,7 +31,6 @@ from rqt_mrta_py.config.robot_parameters import ParameterChecks, Team, config_na
 from rqt_mrta_py.config.scenario import read_scenario
 from rqt_mrta_py.config.task_text import dump_task, read_task
 from rqt_mrta_py.config.tasks import read_tasks
-from rqt_mrta_py.config.whole_file import write_whole
 
 __all__ = [
     "Manifest",

@@ -17,6 +17,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Set, Tuple
 
+from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.config.manifest import HOSTS, Manifest, read_manifest
 from rqt_mrta_py.config.registration import Registration, RegistrationKind, Registry
 from rqt_mrta_py.errors import ConfigError, Problem
@@ -172,10 +173,7 @@ def _skim(path: Path) -> Manifest:
 
     Where the encoding hides a mention, it hides the name too, and the manifest is parsed.
     """
-    try:
-        raw = path.read_bytes()
-    except OSError as error:
-        raise ConfigError([Problem(str(path), 0, "", f"cannot be read: {error.strerror or error}")]) from error
+    raw = read_file(path)
     if _MENTION not in raw:
         name = _NAME.search(_COMMENT.sub(b"", raw))
         if name is not None:

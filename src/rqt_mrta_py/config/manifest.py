@@ -14,10 +14,11 @@ from typing import Dict, List, Optional, Tuple
 
 from lxml import etree
 
+from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.registration import Registration, RegistrationKind
 from rqt_mrta_py.config.xml_text import line_of, parse_xml
-from rqt_mrta_py.errors import ConfigError, Problem
+from rqt_mrta_py.errors import Problem
 from rqt_mrta_py.wording import accepted, shown
 
 __all__ = ["HOSTS", "Manifest", "read_manifest"]
@@ -58,11 +59,7 @@ def read_manifest(path: Path) -> Manifest:
         ConfigError: it cannot be read, is not XML that is accepted here, or names no package.
     """
     problems = Problems(str(path))
-    try:
-        raw = path.read_bytes()
-    except OSError as error:
-        raise ConfigError([Problem(str(path), 0, "", f"cannot be read: {error.strerror or error}")]) from error
-    root = parse_xml(raw, str(path))
+    root = parse_xml(read_file(path), str(path))
     if root.tag != "package":
         problems.add(line_of(root), str(root.tag), "is not the root of a manifest; accepted: package")
     name = (root.findtext("name") or "").strip()

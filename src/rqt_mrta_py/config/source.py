@@ -8,9 +8,9 @@ from typing import NamedTuple, Optional
 
 from rqt_mrta_py.config.manifest import read_manifest
 from rqt_mrta_py.config.registration import Registration, RegistrationKind, Registry
-from rqt_mrta_py.errors import ConfigError, DiscoveryError, Problem
+from rqt_mrta_py.errors import ConfigError, DiscoveryError
 
-__all__ = ["Source", "find_source", "read_file"]
+__all__ = ["Source", "find_source"]
 
 _MANIFEST = "package.xml"
 _FILE = "rqt_mrta.xml"
@@ -23,18 +23,6 @@ class Source(NamedTuple):
     file: Path
     tasks: Optional[Path] = None
     scenario: Optional[Path] = None
-
-
-def read_file(path: Path) -> bytes:
-    """Read a file whole.
-
-    Raises:
-        ConfigError: it cannot be read; says why.
-    """
-    try:
-        return path.read_bytes()
-    except OSError as error:
-        raise ConfigError([Problem(str(path), 0, "", f"cannot be read: {error.strerror or error}")]) from error
 
 
 def find_source(registry: Registry, name: str, kind: RegistrationKind) -> Source:

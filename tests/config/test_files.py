@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from rqt_mrta_py.config import write_whole
+from rqt_mrta_py.config.files import read_file, write_whole
+from rqt_mrta_py.errors import ConfigError
 
 
 def test_a_file_is_replaced_and_nothing_else_is_left(tmp_path: Path) -> None:
@@ -24,3 +25,10 @@ def test_nothing_half_written_is_left_when_renaming_fails(tmp_path: Path) -> Non
 def test_a_folder_that_is_not_there_is_told(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError):
         write_whole(tmp_path / "nowhere" / "a.json", b"new")
+
+
+def test_read_file_says_why_it_cannot(tmp_path: Path) -> None:
+    with pytest.raises(ConfigError) as caught:
+        read_file(tmp_path)
+
+    assert str(caught.value) == f"{tmp_path}: cannot be read: Is a directory"

@@ -1,10 +1,24 @@
-"""Files that are there whole or not at all."""
+"""Files read whole, and files that are there whole or not at all."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-__all__ = ["write_whole"]
+from rqt_mrta_py.errors import ConfigError, Problem
+
+__all__ = ["read_file", "write_whole"]
+
+
+def read_file(path: Path) -> bytes:
+    """Read a file whole.
+
+    Raises:
+        ConfigError: it cannot be read; says why.
+    """
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise ConfigError([Problem(str(path), 0, "", f"cannot be read: {error.strerror or error}")]) from error
 
 
 def write_whole(path: Path, data: bytes) -> None:
