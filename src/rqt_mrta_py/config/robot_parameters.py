@@ -54,10 +54,6 @@ class Team(NamedTuple):
         """True under the application's own architecture, for which its rqt_mrta.xml is filled in."""
         return self.application.architecture in (None, self.architecture.package)
 
-    def tasks_of(self, robot: ApplicationRobot) -> Tuple[Task, ...]:
-        """List the tasks that a robot may carry out, in the mission's order; all if the application names none."""
-        return tuple(task for task in self.tasks if task.id in robot.tasks) if robot.tasks else self.tasks
-
 
 def config_name(robot_id: str, config_id: str) -> str:
     """Name one robot's copy of a config, which is also the name of its file."""
@@ -134,7 +130,7 @@ def resolve_shared(team: Team) -> Dict[str, ResolvedParameters]:
 def _context(team: Team, robot: ApplicationRobot) -> ParameterContext:
     return ParameterContext(
         robot_id=robot.id,
-        tasks=tuple(task.id for task in team.tasks_of(robot)),
+        tasks=tuple(task.id for task in team.application.tasks_of(robot.id, team.tasks)),
         all_tasks=bool(robot.tasks),
         package=team.application.package,
         template_source=str(team.architecture_file),
@@ -177,6 +173,6 @@ def _ask(
         architecture=team.architecture.package,
         robot_id=robot.id,
         parameters=resolved.values,
-        tasks=team.tasks_of(robot),
+        tasks=team.application.tasks_of(robot.id, team.tasks),
     )
     return locate_problems(resolved, found, otherwise=str(team.application_file))

@@ -7,6 +7,7 @@ from typing import Optional, Tuple
 
 from rqt_mrta_py.model.architecture import LaunchTemplate
 from rqt_mrta_py.model.parameters import ConfigTemplate
+from rqt_mrta_py.model.task import Task
 
 __all__ = ["ApplicationRobot", "ApplicationSpec"]
 
@@ -43,3 +44,18 @@ class ApplicationSpec:
     robots: Tuple[ApplicationRobot, ...] = ()
     configs: Tuple[ConfigTemplate, ...] = ()
     launches: Tuple[LaunchTemplate, ...] = ()
+
+    def tasks_of(self, robot_id: str, tasks: Tuple[Task, ...]) -> Tuple[Task, ...]:
+        """List those of some tasks that a robot may carry out.
+
+        Args:
+            robot_id: normalised id of a robot of the team.
+            tasks: to choose from.
+
+        Returns:
+            Those that this robot is given, in the order of ``tasks``; all of them if the application names none for it.
+        """
+        for robot in self.robots:
+            if robot.id == robot_id and robot.tasks:
+                return tuple(task for task in tasks if task.id in robot.tasks)
+        return tasks

@@ -64,14 +64,8 @@ class Mission:
             The mission's tasks that the application gives to this robot, in the mission's order; all of them
             if the application names none for it.
         """
-        return self._given_to(robot_id, self.tasks)
+        return self.application.tasks_of(robot_id, self.tasks)
 
     def later_tasks_of(self, robot_id: str) -> Tuple[Task, ...]:
         """List the tasks that a robot may carry out once they appear; as ``tasks_of`` otherwise."""
-        return self._given_to(robot_id, self.later_tasks)
-
-    def _given_to(self, robot_id: str, tasks: Tuple[Task, ...]) -> Tuple[Task, ...]:
-        for robot in self.application.robots:
-            if robot.id == robot_id and robot.tasks:
-                return tuple(task for task in tasks if task.id in robot.tasks)
-        return tasks
+        return self.application.tasks_of(robot_id, self.later_tasks)
