@@ -13,13 +13,10 @@ from typing import Callable, Dict, Optional, Sequence
 from rqt_mrta_py.config.layers import Given, GivenValues
 from rqt_mrta_py.config.parameter_context import ParameterContext, Path, Place
 from rqt_mrta_py.config.values import check_value, parse_text
-from rqt_mrta_py.model import ArrayTemplate, MapTemplate, ParameterTemplate, ParameterType, TemplateItem
+from rqt_mrta_py.model import TASK_TOKEN, ArrayTemplate, MapTemplate, ParameterTemplate, ParameterType, TemplateItem
 from rqt_mrta_py.wording import shown
 
-__all__ = ["TASK_TOKEN", "ArraySize", "ArraySizer"]
-
-TASK_TOKEN = "@task_id@"
-"""Stands for the id of the task that an element is for."""
+__all__ = ["ArraySize", "ArraySizer"]
 
 _MOST_ELEMENTS = 1000
 _SIZE_TOKEN = "@array_size@"

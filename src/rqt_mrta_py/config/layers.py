@@ -10,7 +10,7 @@ from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ArrayTemplate, MapTemplate, ParameterTemplate, TemplateItem, normalise_id
 from rqt_mrta_py.wording import accepted, shown
 
-__all__ = ["COMMAND_LINE", "Given", "GivenValues", "Layer", "Path", "split_overrides", "xml_layer", "yaml_layer"]
+__all__ = ["COMMAND_LINE", "Given", "GivenValues", "Layer", "split_overrides", "xml_layer", "yaml_layer"]
 
 COMMAND_LINE = "--set"
 """What problems name in the place of a file for values from the command line."""

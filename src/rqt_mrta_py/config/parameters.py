@@ -6,15 +6,23 @@ import re
 from dataclasses import dataclass
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Set, Tuple
 
-from rqt_mrta_py.config.array_sizes import TASK_TOKEN, ArraySize, ArraySizer
+from rqt_mrta_py.config.array_sizes import ArraySize, ArraySizer
 from rqt_mrta_py.config.layers import Given, GivenValues, Layer
 from rqt_mrta_py.config.parameter_context import ParameterContext, Path, Place
 from rqt_mrta_py.config.values import WANTED, Scalar, check_value, parse_text
 from rqt_mrta_py.errors import ConfigError, Problem
-from rqt_mrta_py.model import ArrayTemplate, ConfigTemplate, MapTemplate, ParameterTemplate, TemplateItem
+from rqt_mrta_py.model import (
+    ROBOT_TOKEN,
+    TASK_TOKEN,
+    ArrayTemplate,
+    ConfigTemplate,
+    MapTemplate,
+    ParameterTemplate,
+    TemplateItem,
+)
 from rqt_mrta_py.wording import accepted
 
-__all__ = ["ParameterContext", "ResolvedParameters", "locate_problems", "resolve_parameters"]
+__all__ = ["ResolvedParameters", "locate_problems", "resolve_parameters"]
 
 _MOST_VALUES = 10_000
 
@@ -148,7 +156,7 @@ class _Resolver:
             return None
 
     def _substitute(self, text: str, place: Place) -> str:
-        tokens = {"@robot_id@": self._context.robot_id, "@package@": self._context.package}
+        tokens = {ROBOT_TOKEN: self._context.robot_id, "@package@": self._context.package}
         if place.index is not None:
             tokens["@index@"] = str(place.index)
         if TASK_TOKEN in text:

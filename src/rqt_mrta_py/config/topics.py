@@ -6,12 +6,12 @@ import re
 from typing import List, Optional, Tuple
 
 from rqt_mrta_py.config.element import Element
-from rqt_mrta_py.model import MonitoredTopic, is_legal_name
+from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN, MonitoredTopic, is_legal_name
 from rqt_mrta_py.wording import shown
 
 __all__ = ["read_topics"]
 
-_TOKENS = ("@robot_id@", "@task_id@")
+_TOKENS = (ROBOT_TOKEN, TASK_TOKEN)
 _TELLING = ("name", "type", "field", "robot_field", "task_field")
 _TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*\Z", re.ASCII)
 _FIELD = re.compile(r"[A-Za-z]\w*(/[A-Za-z]\w*)*\Z", re.ASCII)

@@ -18,7 +18,7 @@ from rqt_mrta_py.model.architecture import (
 from rqt_mrta_py.model.geometry import Pose, Twist, wrap_angle
 from rqt_mrta_py.model.ids import normalise_id, wire_id
 from rqt_mrta_py.model.mission import Mission, MissionTexts
-from rqt_mrta_py.model.names import is_legal_name, namespace_of, resolve_name
+from rqt_mrta_py.model.names import ROBOT_TOKEN, TASK_TOKEN, is_legal_name, resolve_name
 from rqt_mrta_py.model.parameters import (
     ArrayTemplate,
     ConfigTemplate,
@@ -53,6 +53,8 @@ from rqt_mrta_py.model.task import Task
 from rqt_mrta_py.model.taxonomy import AllocationType, RobotType, TaskType, Taxonomy
 
 __all__ = [
+    "ROBOT_TOKEN",
+    "TASK_TOKEN",
     "Allocation",
     "AllocationType",
     "ApplicationRobot",
@@ -98,7 +100,6 @@ __all__ = [
     "TemplateItem",
     "Twist",
     "is_legal_name",
-    "namespace_of",
     "normalise_id",
     "resolve_name",
     "wire_id",

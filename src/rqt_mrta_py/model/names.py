@@ -5,7 +5,13 @@ from __future__ import annotations
 import re
 from typing import Mapping, Optional
 
-__all__ = ["is_legal_name", "namespace_of", "resolve_name"]
+__all__ = ["ROBOT_TOKEN", "TASK_TOKEN", "is_legal_name", "resolve_name"]
+
+ROBOT_TOKEN = "@robot_id@"
+"""Stands for the id of a robot, in names of topics and in parameters."""
+
+TASK_TOKEN = "@task_id@"
+"""Stands for the id of a task likewise."""
 
 _LEGAL = re.compile(r"[~/A-Za-z][A-Za-z0-9_/]*\Z")
 
@@ -13,11 +19,6 @@ _LEGAL = re.compile(r"[~/A-Za-z][A-Za-z0-9_/]*\Z")
 def is_legal_name(name: str) -> bool:
     """Tell whether ROS accepts a name: a letter, ``/`` or ``~`` first, then letters, digits, ``_`` and ``/``."""
     return _LEGAL.match(name) is not None and "//" not in name and not (len(name) > 1 and name.endswith("/"))
-
-
-def namespace_of(node: str) -> str:
-    """Give the namespace of a resolved node name: ``/`` for ``/no``, ``/ns`` for ``/ns/no``."""
-    return node.rsplit("/", 1)[0] or "/"
 
 
 def resolve_name(name: str, node: str, remappings: Optional[Mapping[str, str]] = None) -> str:
@@ -48,4 +49,4 @@ def _resolve(name: str, node: str) -> str:
         return name
     if name.startswith("~"):
         return f"{node}/{name[1:].lstrip('/')}"
-    return f"{namespace_of(node).rstrip('/')}/{name}"
+    return f"{node.rsplit('/', 1)[0]}/{name}"

@@ -6,13 +6,11 @@ from dataclasses import dataclass
 from typing import Any, Iterator, Mapping, Sequence, Tuple
 
 from rqt_mrta_py.hooks import Heard, Subscription
-from rqt_mrta_py.model import ArchitectureSpec, MonitoredTopic, normalise_id
+from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN, ArchitectureSpec, MonitoredTopic, normalise_id
 
 __all__ = ["STAMP", "Source", "allocation_sources", "robot_sources", "stamp_of", "task_sources", "text_of"]
 
 STAMP = "header/stamp"
-_ROBOT_TOKEN = "@robot_id@"
-_TASK_TOKEN = "@task_id@"
 
 
 def text_of(fields: Mapping[str, Any], path: str) -> str:
@@ -53,7 +51,7 @@ class Source:
     @property
     def tells_task(self) -> bool:
         """Whether each message tells a task, in a field or by the name of its topic."""
-        return bool(self.task_path) or _TASK_TOKEN in self.topic.name
+        return bool(self.task_path) or TASK_TOKEN in self.topic.name
 
     def subscription(self) -> Subscription:
         """Ask for what is read here."""
@@ -78,7 +76,7 @@ def robot_sources(topics: Sequence[MonitoredTopic]) -> Tuple[Source, ...]:
     return tuple(
         Source(topic, topic.field, topic.task_field, _has_header(topic.field, topic.task_field))
         for topic in _named(topics)
-        if topic.field or _ROBOT_TOKEN in topic.name
+        if topic.field or ROBOT_TOKEN in topic.name
     )
 
 
@@ -106,7 +104,7 @@ def _named(topics: Sequence[MonitoredTopic]) -> Iterator[MonitoredTopic]:
 
 
 def _tells_task(topic: MonitoredTopic) -> bool:
-    return bool(topic.task_field or topic.field) or _TASK_TOKEN in topic.name
+    return bool(topic.task_field or topic.field) or TASK_TOKEN in topic.name
 
 
 def _task_source(topic: MonitoredTopic, robot_path: str) -> Source:

@@ -7,11 +7,11 @@ from typing import Dict, Mapping, Optional, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import EVERYTHING
-from rqt_mrta_py.model import resolve_name
+from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN, resolve_name
 
 __all__ = ["TopicPattern", "resolve_topic"]
 
-_TOKENS: Dict[str, str] = {"@robot_id@": "robot", "@task_id@": "task"}
+_TOKENS: Dict[str, str] = {ROBOT_TOKEN: "robot", TASK_TOKEN: "task"}
 _TOKEN = re.compile("|".join(_TOKENS))
 _PLACEHOLDER = "X{index}placeholderX"
 
