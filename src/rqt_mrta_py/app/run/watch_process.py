@@ -128,6 +128,8 @@ class WatchProcess:
         try:
             self._tell.send_bytes(message)
         except OSError:
+            # The pipe breaks before the process counts as ended.
+            self._process.join(_END)
             self._look()
             raise
 
