@@ -93,7 +93,7 @@ def test_mission_keeps_tasks_that_appear_later_apart_in_file_order(yard: Callabl
             asked.append((arguments["robot_id"], [task.id for task in arguments["tasks"]]))
             return []
 
-    mission = load_mission(yard(), "yard", manager=Checks())
+    mission = load_mission(yard(), "yard", checks=Checks())
 
     assert [task.id for task in mission.tasks] == ["fill"]
     assert [task.id for task in mission.later_tasks] == ["dig", "rest"]
@@ -228,7 +228,7 @@ def test_mission_says_where_a_parameter_was_set_that_a_plugin_objects_to(
             asked.append({"hook": hook, **arguments})
             return [("slots", "are too many")] if arguments["parameters"]["slots"] > 3 else []
 
-    assert said(lambda: load_mission(yard(), "yard", manager=Checks())) == [
+    assert said(lambda: load_mission(yard(), "yard", checks=Checks())) == [
         f"{tmp_path}/ws/yard/config/r2_params.yaml:2: r2/slots: are too many"
     ]
     assert [(call["hook"], call["architecture"], call["robot_id"]) for call in asked] == [

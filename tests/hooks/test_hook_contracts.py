@@ -197,7 +197,7 @@ def test_hook_mrta_check_parameters_refuses_a_value_where_it_was_set(root: Path)
     registry = discover({}, prefix="/nowhere", shares=(), distributions=())
 
     with pytest.raises(ConfigError) as caught:
-        load_mission(registry, "border_patrol", overrides=["robot2/spin_rate=3"], manager=manager)
+        load_mission(registry, "border_patrol", overrides=["robot2/spin_rate=3"], checks=manager)
 
     assert str(caught.value) == "--set: robot2/spin_rate: 3.0 Hz is too much for 3 tasks"
 

@@ -144,7 +144,7 @@ def _mission(host: Host, request: ReviewRequest, codec: Codec) -> Tuple[Mission,
     """Find out what the bag is about: what the user says, else what the bag itself says."""
     if request.application is not None:
         mission = load_mission(
-            host.registry, request.application, architecture=request.architecture, seed=None, manager=host.manager
+            host.registry, request.application, architecture=request.architecture, seed=None, checks=host.manager
         )
         return mission, None
     if request.architecture is not None:

@@ -32,7 +32,7 @@ def load_mission(
     *,
     seed: Optional[int] = 0,
     overrides: Sequence[str] = (),
-    manager: Optional[ParameterChecks] = None,
+    checks: Optional[ParameterChecks] = None,
 ) -> Mission:
     """Read everything that a mission needs.
 
@@ -42,7 +42,7 @@ def load_mission(
         architecture: likewise; None: the one that the application names.
         seed: of the run; None if there is none.
         overrides: parameters, each ``<robot>/<path>=<value>``.
-        manager: asks plugins about the parameters; None: they are not asked.
+        checks: asks plugins about the parameters; None: they are not asked.
 
     Raises:
         DiscoveryError: application or architecture is not registered, and no file either.
@@ -64,7 +64,7 @@ def load_mission(
     if spec is None or tasks is None or problems:
         raise ConfigError(problems)
     team = Team(file.spec, source.file, spec, other.file, tasks)
-    parameters = {robot: found.values for robot, found in resolve_team(team, overrides, manager).items()}
+    parameters = {robot: found.values for robot, found in resolve_team(team, overrides, checks).items()}
     texts = MissionTexts(decode_xml(raw), decode_xml(other_raw), tasks_yaml or "", scenario_yaml or "")
     first, later = _by_appearance(tasks, scenario)
     return Mission(file.spec, spec, first, parameters, scenario, seed, texts, later)

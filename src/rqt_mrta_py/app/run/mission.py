@@ -157,7 +157,7 @@ def _mission(host: Host, request: RunRequest) -> Tuple[Mission, ScenarioSpec]:
         architecture=request.architecture,
         seed=request.seed,
         overrides=request.overrides,
-        manager=host.manager,
+        checks=host.manager,
     )
     worlds = host.manager.registered("mrta_register_worlds")
     mission = in_world(first_robots(mission, request.robots), request.world, worlds)
