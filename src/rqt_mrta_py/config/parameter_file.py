@@ -4,21 +4,12 @@ from __future__ import annotations
 
 from typing import Any, Dict, Mapping, Union
 
-import yaml
-
+from rqt_mrta_py.config.yaml_dump import dump_yaml
 from rqt_mrta_py.config.yaml_text import parse_yaml
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.wording import shown
 
 __all__ = ["dump_parameters", "parse_parameters"]
-
-
-class _Dumper(yaml.SafeDumper):
-    """Writes equal values in full, without anchors."""
-
-    def ignore_aliases(self, data: Any) -> bool:
-        """Never refer back."""
-        return True
 
 
 def dump_parameters(parameters: Mapping[str, Any]) -> str:
@@ -30,7 +21,7 @@ def dump_parameters(parameters: Mapping[str, Any]) -> str:
     Returns:
         YAML, ending in a line break; the same text for the same parameters.
     """
-    return yaml.dump(_plain(parameters), Dumper=_Dumper, sort_keys=False, default_flow_style=False, width=1_000_000)
+    return dump_yaml(parameters)
 
 
 def parse_parameters(text: Union[str, bytes], path: str) -> Dict[str, Any]:
@@ -50,7 +41,3 @@ def parse_parameters(text: Union[str, bytes], path: str) -> Dict[str, Any]:
         raise ConfigError([Problem(path, node.line, "", f"must be a mapping (got {shown(node.plain())})")])
     plain: Dict[str, Any] = node.plain()
     return plain
-
-
-def _plain(value: Any) -> Any:
-    return {str(name): _plain(inner) for name, inner in value.items()} if isinstance(value, Mapping) else value

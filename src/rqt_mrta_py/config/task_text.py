@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any, Dict, Optional, Union
 
-from rqt_mrta_py.config.parameter_file import dump_parameters
 from rqt_mrta_py.config.places import PLACE, pose_of
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.schema import Key, Row, Table, ValueType, read_document
+from rqt_mrta_py.config.yaml_dump import dump_yaml
 from rqt_mrta_py.config.yaml_text import parse_yaml
 from rqt_mrta_py.model import Pose, Task, normalise_id
 from rqt_mrta_py.wording import shown
@@ -79,7 +79,7 @@ def dump_task(task: Task) -> str:
         entry["perpetual"] = True
     if task.data:
         entry["data"] = task.data
-    return dump_parameters(entry)
+    return dump_yaml(entry)
 
 
 def task_of(row: Row) -> Task:
