@@ -105,9 +105,9 @@ class WatchProcess:
         while not self._answers.poll(_PATIENCE):
             self._look()
         results = self._receive()
-        if results is None:
-            raise WatchProcessError("the process that watches the run ended without results")
         self._process.join(_END)
+        if results is None:
+            raise self._gone()
         return results
 
     def close(self) -> None:
@@ -139,10 +139,13 @@ class WatchProcess:
         if self._answers.poll():
             self._receive()
         if not alive:
-            raise WatchProcessError(
-                f"the process that watches the run ended with status {self._process.exitcode}; "
-                "'rosbag reindex' finds what its bag holds, and --processes 1 does without it"
-            )
+            raise self._gone()
+
+    def _gone(self) -> WatchProcessError:
+        return WatchProcessError(
+            f"the process that watches the run ended with status {self._process.exitcode}; "
+            "'mrta salvage' saves what its bag holds, and --processes 1 does without it"
+        )
 
     def _receive(self) -> Optional[Results]:
         try:
