@@ -20,8 +20,8 @@ from rqt_mrta_py.config import (
     read_architecture,
     resolve_parameters,
 )
-from rqt_mrta_py.config.layers import Layer, split_overrides, xml_layer, yaml_layer
-from rqt_mrta_py.config.values import check_value, parse_text
+from rqt_mrta_py.config.parameters.layers import Layer, split_overrides, xml_layer, yaml_layer
+from rqt_mrta_py.config.parameters.values import check_value, parse_text
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ConfigTemplate, ParameterType
 

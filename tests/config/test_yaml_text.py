@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rqt_mrta_py.config.yaml_text import parse_yaml
+from rqt_mrta_py.config.yaml.text import parse_yaml
 from rqt_mrta_py.errors import ConfigError
 
 

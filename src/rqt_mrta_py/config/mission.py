@@ -5,17 +5,17 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Callable, Dict, List, Optional, Sequence, Tuple, TypeVar
 
-from rqt_mrta_py.config.application import ApplicationFile, read_application_file
-from rqt_mrta_py.config.architecture import read_architecture
-from rqt_mrta_py.config.event_order import appearing_tasks
+from rqt_mrta_py.config.discovery.registration import RegistrationKind, Registry
+from rqt_mrta_py.config.discovery.source import Source, find_source
 from rqt_mrta_py.config.files import read_file
-from rqt_mrta_py.config.parameter_file import parse_parameters
-from rqt_mrta_py.config.registration import RegistrationKind, Registry
-from rqt_mrta_py.config.robot_parameters import ParameterChecks, Team, resolve_team
-from rqt_mrta_py.config.scenario import read_scenario
-from rqt_mrta_py.config.source import Source, find_source
-from rqt_mrta_py.config.tasks import read_tasks
-from rqt_mrta_py.config.xml_text import decode_xml
+from rqt_mrta_py.config.parameters.parameter_file import parse_parameters
+from rqt_mrta_py.config.parameters.team import ParameterChecks, Team, resolve_team
+from rqt_mrta_py.config.scenario.event_order import appearing_tasks
+from rqt_mrta_py.config.scenario.scenario_file import read_scenario
+from rqt_mrta_py.config.tasks.tasks_file import read_tasks
+from rqt_mrta_py.config.xml.application import ApplicationFile, read_application_file
+from rqt_mrta_py.config.xml.architecture import read_architecture
+from rqt_mrta_py.config.xml.text import decode_xml
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ApplicationSpec, Mission, MissionTexts, ScenarioSpec, Task
 from rqt_mrta_py.wording import accepted, shown

@@ -8,7 +8,7 @@ import sys
 from types import ModuleType
 from typing import Iterable, Tuple, Union
 
-from rqt_mrta_py.config.registration import Registration, RegistrationKind, Registry
+from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind, Registry
 from rqt_mrta_py.errors import HookError, Problem
 from rqt_mrta_py.hooks.manager import PluginManager
 

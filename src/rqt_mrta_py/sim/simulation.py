@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple
 
-from rqt_mrta_py.config.scenario_events import event_problems
+from rqt_mrta_py.config.scenario.events import event_problems
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import (
     LinkFactory,

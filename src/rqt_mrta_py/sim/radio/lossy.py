@@ -6,7 +6,7 @@ import math
 import sys
 from typing import TYPE_CHECKING, Dict, Optional, Sequence, Tuple
 
-from rqt_mrta_py.config.schema import Key, Table, ValueType
+from rqt_mrta_py.config.yaml.schema import Key, Table, ValueType
 from rqt_mrta_py.hooks import LinkSetup
 from rqt_mrta_py.sim.radio.settings import read_settings
 

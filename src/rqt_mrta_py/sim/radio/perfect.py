@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Sequence
 
-from rqt_mrta_py.config.schema import Table
+from rqt_mrta_py.config.yaml.schema import Table
 from rqt_mrta_py.hooks import LinkSetup
 from rqt_mrta_py.sim.radio.settings import read_settings
 

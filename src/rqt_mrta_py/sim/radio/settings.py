@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Dict, Mapping
 
-from rqt_mrta_py.config.plain_values import read_plain
-from rqt_mrta_py.config.schema import Table
+from rqt_mrta_py.config.yaml.plain_values import read_plain
+from rqt_mrta_py.config.yaml.schema import Table
 from rqt_mrta_py.errors import SimError
 
 __all__ = ["read_settings"]

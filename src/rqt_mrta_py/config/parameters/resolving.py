@@ -6,10 +6,10 @@ import re
 from dataclasses import dataclass
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Set, Tuple
 
-from rqt_mrta_py.config.array_sizes import ArraySize, ArraySizer
-from rqt_mrta_py.config.layers import Given, GivenValues, Layer
-from rqt_mrta_py.config.parameter_context import ParameterContext, Path, Place
-from rqt_mrta_py.config.values import WANTED, Scalar, check_value, parse_text
+from rqt_mrta_py.config.parameters.array_sizes import ArraySize, ArraySizer
+from rqt_mrta_py.config.parameters.context import ParameterContext, Path, Place
+from rqt_mrta_py.config.parameters.layers import Given, GivenValues, Layer
+from rqt_mrta_py.config.parameters.values import WANTED, Scalar, check_value, parse_text
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import (
     ROBOT_TOKEN,

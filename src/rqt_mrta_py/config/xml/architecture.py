@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Optional, Sequence, Tuple, Union
 
-from rqt_mrta_py.config.element import Element
-from rqt_mrta_py.config.flavour import read_flavour
-from rqt_mrta_py.config.launches import read_launches
-from rqt_mrta_py.config.templates import read_configs
-from rqt_mrta_py.config.topics import read_topics
+from rqt_mrta_py.config.xml.element import Element
+from rqt_mrta_py.config.xml.flavour import read_flavour
+from rqt_mrta_py.config.xml.launches import read_launches
+from rqt_mrta_py.config.xml.templates import read_configs
+from rqt_mrta_py.config.xml.topics import read_topics
 from rqt_mrta_py.model import AllocationType, ArchitectureSpec, RobotType, TaskType, Taxonomy
 from rqt_mrta_py.wording import accepted
 

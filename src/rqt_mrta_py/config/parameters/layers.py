@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Set, Tuple, Union
 
-from rqt_mrta_py.config.parameter_context import Path, Place
-from rqt_mrta_py.config.yaml_text import YamlNode, parse_yaml
+from rqt_mrta_py.config.parameters.context import Path, Place
+from rqt_mrta_py.config.yaml.text import YamlNode, parse_yaml
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ArrayTemplate, MapTemplate, ParameterTemplate, TemplateItem, normalise_id
 from rqt_mrta_py.wording import accepted, shown

@@ -10,9 +10,9 @@ import re
 from dataclasses import dataclass, field
 from typing import Callable, Dict, Optional, Sequence
 
-from rqt_mrta_py.config.layers import Given, GivenValues
-from rqt_mrta_py.config.parameter_context import ParameterContext, Path, Place
-from rqt_mrta_py.config.values import check_value, parse_text
+from rqt_mrta_py.config.parameters.context import ParameterContext, Path, Place
+from rqt_mrta_py.config.parameters.layers import Given, GivenValues
+from rqt_mrta_py.config.parameters.values import check_value, parse_text
 from rqt_mrta_py.model import TASK_TOKEN, ArrayTemplate, MapTemplate, ParameterTemplate, ParameterType, TemplateItem
 from rqt_mrta_py.wording import shown
 

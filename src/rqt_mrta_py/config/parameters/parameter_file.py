@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Dict, Mapping, Union
 
-from rqt_mrta_py.config.yaml_dump import dump_yaml
-from rqt_mrta_py.config.yaml_text import parse_yaml
+from rqt_mrta_py.config.yaml.dump import dump_yaml
+from rqt_mrta_py.config.yaml.text import parse_yaml
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.wording import shown
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any, Dict, List, Optional, Sequence, Union
 
-from rqt_mrta_py.config.places import PLACE, pose_of
 from rqt_mrta_py.config.problems import Problems
-from rqt_mrta_py.config.scenario_events import read_events
-from rqt_mrta_py.config.scenario_form import SCENARIO_FILE
-from rqt_mrta_py.config.schema import Row, read_document
-from rqt_mrta_py.config.yaml_text import parse_yaml
+from rqt_mrta_py.config.scenario.events import read_events
+from rqt_mrta_py.config.scenario.form import SCENARIO_FILE
+from rqt_mrta_py.config.yaml.places import PLACE, pose_of
+from rqt_mrta_py.config.yaml.schema import Row, read_document
+from rqt_mrta_py.config.yaml.text import parse_yaml
 from rqt_mrta_py.model import (
     Arena,
     Obstacle,

@@ -14,10 +14,10 @@ from typing import Dict, List, Optional, Tuple
 
 from lxml import etree
 
+from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind
 from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.config.problems import Problems
-from rqt_mrta_py.config.registration import Registration, RegistrationKind
-from rqt_mrta_py.config.xml_text import line_of, parse_xml
+from rqt_mrta_py.config.xml.text import line_of, parse_xml
 from rqt_mrta_py.errors import Problem
 from rqt_mrta_py.wording import accepted, shown
 

@@ -9,9 +9,9 @@ A minimal one is short::
 
 from __future__ import annotations
 
-from rqt_mrta_py.config.event_form import EVENT, RADIO
-from rqt_mrta_py.config.places import PLACE
-from rqt_mrta_py.config.schema import Key, Table, ValueType
+from rqt_mrta_py.config.scenario.event_form import EVENT, RADIO
+from rqt_mrta_py.config.yaml.places import PLACE
+from rqt_mrta_py.config.yaml.schema import Key, Table, ValueType
 
 __all__ = ["ARENA", "OBSTACLE", "ROBOT", "ROBOT_DEFAULTS", "SCENARIO_FILE", "SENSOR"]
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Callable, TypeVar, Union
 
-from rqt_mrta_py.config.element import Element, open_document
 from rqt_mrta_py.config.problems import Problems
+from rqt_mrta_py.config.xml.element import Element, open_document
 from rqt_mrta_py.wording import shown
 
 __all__ = ["read_flavour"]

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Dict, List, Mapping, Tuple, Union
 
 from rqt_mrta_py.config.problems import Problems
-from rqt_mrta_py.config.schema import Key, Row, Table, ValueType, read_document
-from rqt_mrta_py.config.task_text import TASK, check_id, id_of, task_of
-from rqt_mrta_py.config.yaml_text import parse_yaml
+from rqt_mrta_py.config.tasks.task_text import TASK, check_id, id_of, task_of
+from rqt_mrta_py.config.yaml.schema import Key, Row, Table, ValueType, read_document
+from rqt_mrta_py.config.yaml.text import parse_yaml
 from rqt_mrta_py.model import Task, normalise_id
 from rqt_mrta_py.wording import accepted
 

@@ -17,9 +17,9 @@ from importlib import metadata
 from pathlib import Path
 from typing import Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Set, Tuple
 
+from rqt_mrta_py.config.discovery.manifest import HOSTS, Manifest, read_manifest
+from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind, Registry
 from rqt_mrta_py.config.files import read_file
-from rqt_mrta_py.config.manifest import HOSTS, Manifest, read_manifest
-from rqt_mrta_py.config.registration import Registration, RegistrationKind, Registry
 from rqt_mrta_py.errors import ConfigError, Problem
 
 __all__ = ["discover", "own_packages"]
@@ -79,7 +79,7 @@ def own_packages() -> Tuple[Path, ...]:
         of its stubs; nothing if neither is there.
     """
     parents = Path(__file__).resolve().parents
-    root = parents[3]
+    root = parents[4]
     if (root / _MANIFEST).is_file() and (root / "src" / _OWN).is_dir():
         return (root, root / "plugins")
     for parent in parents:

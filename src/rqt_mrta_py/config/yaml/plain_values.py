@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any, Mapping, Tuple
 
 from rqt_mrta_py.config.problems import Problems
-from rqt_mrta_py.config.schema import Row, Table, read_table
-from rqt_mrta_py.config.yaml_text import YamlNode
+from rqt_mrta_py.config.yaml.schema import Row, Table, read_table
+from rqt_mrta_py.config.yaml.text import YamlNode
 from rqt_mrta_py.errors import Problem
 
 __all__ = ["read_plain"]

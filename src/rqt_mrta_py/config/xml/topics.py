@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import List, Optional, Tuple
 
-from rqt_mrta_py.config.element import Element
+from rqt_mrta_py.config.xml.element import Element
 from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN, MonitoredTopic, is_legal_name
 from rqt_mrta_py.wording import shown
 

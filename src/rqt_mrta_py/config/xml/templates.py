@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Dict, List, Optional, Sequence, Tuple
 
-from rqt_mrta_py.config.element import Element, Text
-from rqt_mrta_py.config.ids import read_id
-from rqt_mrta_py.config.values import has_token, parse_text
+from rqt_mrta_py.config.parameters.values import has_token, parse_text
+from rqt_mrta_py.config.xml.element import Element, Text
+from rqt_mrta_py.config.xml.ids import read_id
 from rqt_mrta_py.model import (
     ArrayTemplate,
     ConfigTemplate,

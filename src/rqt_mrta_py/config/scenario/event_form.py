@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Tuple
 
-from rqt_mrta_py.config.schema import Key, Table, ValueType
+from rqt_mrta_py.config.yaml.schema import Key, Table, ValueType
 from rqt_mrta_py.model import ScenarioEventKind
 
 __all__ = ["EVENT", "RADIO"]

@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Protocol, Sequence, Tuple
 
 from rqt_mrta_py.config.files import read_file
-from rqt_mrta_py.config.layers import Layer, split_overrides, xml_layer, yaml_layer
-from rqt_mrta_py.config.parameter_context import ParameterContext
-from rqt_mrta_py.config.parameters import ResolvedParameters, locate_problems, resolve_parameters
+from rqt_mrta_py.config.parameters.context import ParameterContext
+from rqt_mrta_py.config.parameters.layers import Layer, split_overrides, xml_layer, yaml_layer
+from rqt_mrta_py.config.parameters.resolving import ResolvedParameters, locate_problems, resolve_parameters
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ApplicationRobot, ApplicationSpec, ArchitectureSpec, ConfigTemplate, Task
 from rqt_mrta_py.wording import accepted

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Dict, List, Tuple
 
-from rqt_mrta_py.config.element import Element
-from rqt_mrta_py.config.ids import read_id
+from rqt_mrta_py.config.xml.element import Element
+from rqt_mrta_py.config.xml.ids import read_id
 from rqt_mrta_py.model import IncludeSpec, LaunchArgument, LaunchTemplate
 
 __all__ = ["read_launches"]

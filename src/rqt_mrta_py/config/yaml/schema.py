@@ -8,7 +8,7 @@ from enum import Enum
 from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 from rqt_mrta_py.config.problems import Problems
-from rqt_mrta_py.config.yaml_text import YamlNode
+from rqt_mrta_py.config.yaml.text import YamlNode
 from rqt_mrta_py.wording import accepted, shown
 
 __all__ = ["REQUIRED", "Key", "Row", "Table", "ValueType", "read_document", "read_table"]

@@ -9,7 +9,7 @@ from typing import Dict, List, NamedTuple, Optional, Sequence, Union
 from lxml import etree
 
 from rqt_mrta_py.config.problems import Problems
-from rqt_mrta_py.config.xml_text import line_of, parse_xml
+from rqt_mrta_py.config.xml.text import line_of, parse_xml
 from rqt_mrta_py.wording import accepted, shown
 
 __all__ = ["Element", "Numbered", "Text", "open_document"]

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any, Dict, Optional, Union
 
-from rqt_mrta_py.config.places import PLACE, pose_of
 from rqt_mrta_py.config.problems import Problems
-from rqt_mrta_py.config.schema import Key, Row, Table, ValueType, read_document
-from rqt_mrta_py.config.yaml_dump import dump_yaml
-from rqt_mrta_py.config.yaml_text import parse_yaml
+from rqt_mrta_py.config.yaml.dump import dump_yaml
+from rqt_mrta_py.config.yaml.places import PLACE, pose_of
+from rqt_mrta_py.config.yaml.schema import Key, Row, Table, ValueType, read_document
+from rqt_mrta_py.config.yaml.text import parse_yaml
 from rqt_mrta_py.model import Pose, Task, normalise_id
 from rqt_mrta_py.wording import shown
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Dict, List, Mapping, NamedTuple, Optional, Tuple, Union
 
-from rqt_mrta_py.config.element import Element
-from rqt_mrta_py.config.flavour import read_flavour
-from rqt_mrta_py.config.ids import read_id
-from rqt_mrta_py.config.launches import read_launches
-from rqt_mrta_py.config.templates import read_configs
+from rqt_mrta_py.config.xml.element import Element
+from rqt_mrta_py.config.xml.flavour import read_flavour
+from rqt_mrta_py.config.xml.ids import read_id
+from rqt_mrta_py.config.xml.launches import read_launches
+from rqt_mrta_py.config.xml.templates import read_configs
 from rqt_mrta_py.model import ApplicationRobot, ApplicationSpec
 
 __all__ = ["ApplicationFile", "read_application", "read_application_file"]

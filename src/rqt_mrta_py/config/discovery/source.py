@@ -6,8 +6,8 @@ import os
 from pathlib import Path
 from typing import NamedTuple, Optional
 
-from rqt_mrta_py.config.manifest import read_manifest
-from rqt_mrta_py.config.registration import Registration, RegistrationKind, Registry
+from rqt_mrta_py.config.discovery.manifest import read_manifest
+from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind, Registry
 from rqt_mrta_py.errors import ConfigError, DiscoveryError
 
 __all__ = ["Source", "find_source"]

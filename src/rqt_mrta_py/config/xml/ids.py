@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rqt_mrta_py.config.element import Element
+from rqt_mrta_py.config.xml.element import Element
 from rqt_mrta_py.model import normalise_id
 from rqt_mrta_py.wording import shown
 
