@@ -46,6 +46,8 @@ def accepted(name: str, known: Iterable[str]) -> str:
 
 
 def shown(value: object) -> str:
-    """Quote a value as received, cut where it is long."""
+    """Quote a value as received, in one line, cut where it is long."""
     text = repr(value)
+    if "\n" in text:
+        text = " ".join(text.split())
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."

@@ -34,7 +34,7 @@ class Part:
         return {answer}
 
     def cost(self, task, perception):
-        return None
+        return {cost}
 
     def start(self, task, perception):
         pass
@@ -42,9 +42,48 @@ class Part:
     def step(self, task, perception):
         return BehaviourStep()
 """
+WORLD = """
+from rqt_mrta_py.sim.planar import PlanarWorld
+import numpy as np
+
+
+class Part(PlanarWorld):
+    def {method}:
+        return {answer}
+"""
+PLANNER = """
+class Part:
+    def __init__(self, setup):
+        pass
+
+    def path(self, start, goal):
+        return {answer}
+
+    def cost_field(self, goal):
+        return {field}
+
+    def observe(self, obstacles):
+        pass
+
+
+class Field:
+    def __init__(self, length):
+        self.length = length
+
+    def at(self, place):
+        return self.length
+"""
+LINK = """
+class Part:
+    def __init__(self, setup):
+        {made}
+
+    def deliveries(self, sender, receiver, now):
+        return {answer}
+"""
 LISTENER = """
 class Part:
-    rays = None
+    rays = {rays}
 
     def __init__(self, setup):
         pass
@@ -75,10 +114,13 @@ class Part:
 """
 
 
+USUAL = {"answer": "None", "cost": "None", "field": "Field(None)", "made": "pass", "rays": "None", "wishes": "()"}
+
+
 def plugin(hook: str, name: str, part: str, factory: str = "Part", **parts: str) -> str:
     """Write a plugin that registers one part."""
     registers = f"@hookimpl\ndef mrta_register_{hook}():\n    return {{{name!r}: {factory}}}\n"
-    return IMPORTS + part.format(**{"answer": "None", "wishes": "()", **parts}) + "\n\n" + registers
+    return IMPORTS + part.format(**{**USUAL, **parts}) + "\n\n" + registers
 
 
 PANEL_NAME = "rqt_alliance/alliance_plugin"
@@ -104,6 +146,11 @@ MISFITS = {
         plugin("behaviours", "wander", BEHAVIOUR, answer="1 / 0"),
         "robot1: behaviour 'wander' on task 'wander' cannot begin: ZeroDivisionError: division by zero",
     ),
+    "behaviour, applicable is no truth value": (
+        plugin("behaviours", "wander", BEHAVIOUR, answer="'yes'"),
+        "robot1: behaviour 'wander' on task 'wander' cannot begin: TypeError: applicable answered 'yes'; accepted is "
+        "bool",
+    ),
     "planner, none made": (
         plugin("planners", "astar", "", "lambda setup: None"),
         "robot1: planner astar: made None, which has no 'path'",
@@ -116,6 +163,72 @@ MISFITS = {
         plugin("worlds", "bullet", "", "lambda: None"),
         "world bullet: made None, which has no 'capabilities'",
     ),
+    "world, no capabilities": (
+        plugin("worlds", "bullet", WORLD + "\n    capabilities = 3\n", method="again(self)"),
+        "world bullet: capabilities answered 3; accepted is a frozenset of texts",
+    ),
+    "world, no poses": (
+        plugin("worlds", "bullet", WORLD, method="poses(self)"),
+        "world bullet: poses answered None; accepted is an array of float64 of shape (5, 3)",
+    ),
+    "world, poses of another shape": (
+        plugin("worlds", "bullet", WORLD, method="poses(self)", answer="np.zeros((3, 5))"),
+        "world bullet: poses answered an array of shape (3, 5); accepted is (5, 3)",
+    ),
+    "world, poses of another type": (
+        plugin("worlds", "bullet", WORLD, method="poses(self)", answer="np.zeros((5, 1), int)"),
+        "world bullet: poses answered array([[0], [0], [0], [0], [0]]); accepted is an array of float64 of shape (5, 3)",
+    ),
+    "world, poses that are nowhere": (
+        plugin("worlds", "bullet", WORLD, method="poses(self)", answer="np.diag([0.0, np.nan, 0.0, 0.0, 0.0])[:, :3]"),
+        "world bullet: poses answered [0.0, nan, 0.0] for robot2; accepted are finite",
+    ),
+    "world, no ranges": (
+        plugin("worlds", "bullet", WORLD, method="ranges(self, robots, bearings, max_range)", answer="[]"),
+        "world bullet: ranges answered []; accepted is an array of float64 of shape (5, 36)",
+    ),
+    "world, ranges below nothing": (
+        plugin(
+            "worlds",
+            "bullet",
+            WORLD,
+            method="ranges(self, robots, bearings, max_range)",
+            answer="np.full((len(robots), len(bearings)), -0.5)",
+        ),
+        "world bullet: ranges answered -0.5 m; accepted are 0 m and above",
+    ),
+    "robot model, no radius": (
+        plugin("robot_models", "diff_drive", "", "RobotModel('m', 'omni', 1, 1, 1, float('nan'), 1, 1, 1, 1, 1, 1)"),
+        "plugin 'stranger_plugin': mrta_register_robot_models raised ValueError: robot model m: radius must be a finite "
+        "number above 0 (got nan)",
+    ),
+    "sensor, no messages": (
+        plugin("sensors", "odometry", LISTENER),
+        "robot robot1: sensor odometry on odom: answered None; accepted is a sequence of Outgoing",
+    ),
+    "sensor, one message that is in no sequence": (
+        plugin("sensors", "odometry", LISTENER, answer="Outgoing('odom', 'std_msgs/String', {})"),
+        "robot robot1: sensor odometry on odom: answered Outgoing(topic='odom', type='std_msgs/String', fields={{}}, la..."
+        "; accepted is a sequence of Outgoing",
+    ),
+    "sensor, no message": (
+        plugin("sensors", "odometry", LISTENER, answer="['x']"),
+        "robot robot1: sensor odometry on odom: answered 'x'; accepted is Outgoing",
+    ),
+    "sensor, a message without topic": (
+        plugin("sensors", "odometry", LISTENER, answer="[Outgoing(None, 'std_msgs/String', {})]"),
+        "robot robot1: sensor odometry on odom: answered an Outgoing on None of type 'std_msgs/String'; accepted are "
+        "two texts",
+    ),
+    "sensor, a message without fields": (
+        plugin("sensors", "odometry", LISTENER, answer="[Outgoing('odom', 'std_msgs/String', None)]"),
+        "robot robot1: sensor odometry on odom: answered an Outgoing on 'odom' with fields None; accepted is a mapping",
+    ),
+    "sensor, odometry that is none": (
+        plugin("sensors", "odometry", LISTENER, answer="[Outgoing('odom', 'nav_msgs/Odometry', {'pose': 3})]"),
+        "/robot1/driver on /robot1/odom: nav_msgs/Odometry: pose: 3 does not fit; accepted is the fields of a "
+        "geometry_msgs/PoseWithCovariance by name",
+    ),
     "sensor, none made": (
         plugin("sensors", "odometry", "", "lambda context: None"),
         "sensor odometry: made None, which has no 'rays'",
@@ -127,6 +240,10 @@ MISFITS = {
     "link, none made": (
         plugin("links", "perfect", "", "lambda setup: None"),
         "link perfect: made None, which has no 'deliveries'",
+    ),
+    "link that cannot be made": (
+        plugin("links", "perfect", LINK, made="1 / 0"),
+        "link perfect: ZeroDivisionError: division by zero",
     ),
     "interpreter, no sign": (
         plugin("allocation_interpreters", "mrta_alliance", LISTENER, answer="['x']", wishes=ODOM),
@@ -175,6 +292,54 @@ MISFITS = {
     ),
 }
 
+MISFITS_OF_TEAMS_THAT_WEIGH_COSTS = {
+    "behaviour, cost is no number": (
+        plugin("behaviours", "wander", BEHAVIOUR, answer="True", cost="'much'"),
+        "robot1: behaviour 'wander' on task 'wander' failed at 1.000 s: TypeError: cost answered 'much'; accepted is "
+        "a float or None",
+    ),
+    "behaviour, cost is not a number": (
+        plugin("behaviours", "wander", BEHAVIOUR, answer="True", cost="float('nan')"),
+        "robot1: behaviour 'wander' on task 'wander' failed at 1.000 s: ValueError: cost answered nan; None says that "
+        "it cannot tell",
+    ),
+    "planner, no path": (
+        plugin("planners", "astar", PLANNER, answer="3"),
+        "robot2: planner astar: path answered 3; a tuple of finite Poses, or None, is needed",
+    ),
+    "planner, no poses": (
+        plugin("planners", "astar", PLANNER, answer="(goal, (1.0, 2.0))"),
+        "robot2: planner astar: path answered (Pose(x=4.6, y=2.6, yaw=0.0), (1.0, 2.0)); a tuple of finite Poses, or "
+        "None, is needed",
+    ),
+    "planner that raises": (
+        plugin("planners", "astar", PLANNER, answer="1 / 0"),
+        "robot2: planner astar: ZeroDivisionError: division by zero",
+    ),
+    "planner, no cost field": (
+        plugin("planners", "astar", PLANNER, field="3"),
+        "robot1: planner astar: cost_field answered 3, which has no 'at'",
+    ),
+    "planner, no length": (
+        plugin("planners", "astar", PLANNER, field="Field(-1.0)"),
+        "robot1: planner astar: its cost field answered -1.0; a finite length of at least 0 m, or None, is needed",
+    ),
+    "link, no delays": (
+        plugin("links", "perfect", LINK),
+        "link Part: answered None for a message from 'robot1' to 'robot2'; delays of at least 0 s are accepted",
+    ),
+    "allocator, no pairs": (
+        plugin("allocators", "nearest_robot/nearest", "", "lambda problem: None"),
+        "allocator nearest_robot/nearest: answered None; pairs of a task's and a robot's id of the problem are needed, "
+        "each robot once",
+    ),
+    "allocator, a stranger": (
+        plugin("allocators", "nearest_robot/nearest", "", "lambda problem: [('wander', 'nobody')]"),
+        "allocator nearest_robot/nearest: answered [('wander', 'nobody')]; pairs of a task's and a robot's id of the "
+        "problem are needed, each robot once",
+    ),
+}
+
 
 @pytest.mark.parametrize(("text", "message"), list(MISFITS.values()), ids=list(MISFITS))
 def test_a_part_that_does_not_fit_stops_the_run_by_name(mrta: Mrta, stranger: Path, text: str, message: str) -> None:
@@ -185,6 +350,24 @@ def test_a_part_that_does_not_fit_stops_the_run_by_name(mrta: Mrta, stranger: Pa
 
     line = text.partition("def sense")[0].count("\n") + 2
     assert (status, lines) == (3, [f"mrta: {message.format(file=stranger, line=line)}"])
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    list(MISFITS_OF_TEAMS_THAT_WEIGH_COSTS.values()),
+    ids=list(MISFITS_OF_TEAMS_THAT_WEIGH_COSTS),
+)
+def test_a_part_that_does_not_fit_is_told_where_costs_are_weighed(
+    mrta: Mrta, stranger: Path, text: str, message: str
+) -> None:
+    stranger.write_text(text)
+    architecture = ["--architecture", "nearest_robot"]
+
+    status, lines = mrta(
+        "run", "border_patrol", "--duration", "1", "--pictures", "0", "--processes", "1", *architecture
+    )
+
+    assert (status, lines) == (3, [f"mrta: {message}"])
 
 
 @pytest.mark.parametrize(

@@ -116,7 +116,7 @@ def test_robot_more_leaves_the_noise_of_the_others_alone():
 
 def test_rays_that_are_handed_out_cannot_be_changed():
     one = mounted(RayPattern(np.zeros(2), 4.0))
-    (row,) = cast_together(CountingWorld(), [one]).values()
+    (row,) = cast_together(CountingWorld(), "counting", [one]).values()
     with pytest.raises(ValueError, match="read-only"):
         row[0] = 1.0
 
@@ -135,6 +135,11 @@ def test_rays_that_are_handed_out_cannot_be_changed():
         ),
         (RayPattern(np.zeros(1), math.inf), "its rays must have a finite length above 0 m (got inf)"),
         (RayPattern(np.zeros(1), 0.0), "its rays must have a finite length above 0 m (got 0.0)"),
+        (RayPattern(np.zeros(1), "4 m"), "its rays must have a finite length above 0 m (got '4 m')"),
+        (RayPattern("ahead", 4.0), "its rays must have numbers for bearings (got 'ahead')"),
+        (RayPattern([[0.0], 1.0], 4.0), "its rays must have numbers for bearings (got [[0.0], 1.0])"),
+        ((np.zeros(1), 4.0, 1.0), "its rays must be a RayPattern or None (got (array([0.]), 4.0, 1.0))"),
+        (3, "its rays must be a RayPattern or None (got 3)"),
     ],
 )
 def test_rays_that_cannot_be_cast_are_refused_by_robot_and_sensor(rays, message):
@@ -149,8 +154,8 @@ def test_world_that_answers_other_rays_than_asked_for_is_named():
             return np.zeros((1, 1))
 
     due = [mounted(RayPattern(np.zeros(2), 4.0), name) for name in ("robot1", "robot2")]
-    with pytest.raises(SimError, match=r"answered ranges of shape \(1, 1\) for 2 robots with 2 rays each"):
-        cast_together(Careless(), due)
+    with pytest.raises(SimError, match=r"careless: ranges answered an array of shape \(1, 1\); accepted is \(2, 2\)"):
+        cast_together(Careless(), "careless", due)
 
 
 def test_world_without_ranges_is_no_world_for_sensors_that_want_rays():

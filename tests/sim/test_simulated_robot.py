@@ -37,7 +37,7 @@ def tell(driver, at, vx=0.0, vy=0.0, wz=0.0):
 
 def sense(driver, tick):
     due = driver.due(tick)
-    return driver.sense(tick / 20 + 1, START, due, cast_together(WORLD, due), WORLD)
+    return driver.sense(tick / 20 + 1, START, due, cast_together(WORLD, "still", due), WORLD)
 
 
 def topics(driver, tick):

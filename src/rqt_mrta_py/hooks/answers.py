@@ -1,16 +1,18 @@
-"""Whether what a plugin registers fits: names that can be used where they will be, values that can do what is asked."""
+"""Whether what plugins register and say fits: names usable where they will be, values that can do what is asked."""
 
 from __future__ import annotations
 
 import re
+from collections import abc
 from typing import Mapping, Optional, Pattern, Tuple
 
 from rqt_mrta_py.hooks.benchmark import Benchmark
 from rqt_mrta_py.hooks.robot_model import RobotModel
+from rqt_mrta_py.hooks.stream import Outgoing
 from rqt_mrta_py.hooks.verb import Verb
 from rqt_mrta_py.wording import shown
 
-__all__ = ["registration_breach"]
+__all__ = ["message_breach", "registration_breach"]
 
 _TYPES: Mapping[str, type] = {
     "mrta_register_benchmarks": Benchmark,
@@ -51,4 +53,23 @@ def registration_breach(hook: str, name: object, value: object) -> Optional[str]
         return None if callable(value) else f"registers {name!r} as {shown(value)}; something callable is needed"
     if not isinstance(value, wanted):
         return f"registers {name!r} as {shown(value)}; a {wanted.__name__} is needed"
+    return None
+
+
+def message_breach(message: object) -> Optional[str]:
+    """Find what is wrong with a message that a plugin's part wants to publish, before its type is looked at.
+
+    Args:
+        message: what the part answered.
+
+    Returns:
+        A phrase that goes on after the part's name; None if all is well.
+    """
+    if not isinstance(message, Outgoing):
+        return f"answered {shown(message)}; accepted is Outgoing"
+    topic, type_name, fields, _ = message
+    if not (isinstance(topic, str) and isinstance(type_name, str)):
+        return f"answered an Outgoing on {shown(topic)} of type {shown(type_name)}; accepted are two texts"
+    if not isinstance(fields, abc.Mapping):
+        return f"answered an Outgoing on {topic!r} with fields {shown(fields)}; accepted is a mapping"
     return None

@@ -2,10 +2,24 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import FrozenSet, Tuple
 
 __all__ = ["RobotModel"]
+
+_MEASURES = (
+    "length",
+    "width",
+    "height",
+    "radius",
+    "mass",
+    "wheel_radius",
+    "track",
+    "max_speed",
+    "max_turn_rate",
+    "sensor_height",
+)
 
 
 @dataclass(frozen=True)
@@ -14,7 +28,8 @@ class RobotModel:
 
     Attributes:
         name: under which it is registered.
-        drive: ``differential``; a world lists the drives it can build among its capabilities as ``drive:<name>``.
+        drive: for instance ``differential`` or ``omni``; a world lists the drives that it can build among its
+            capabilities as ``drive:<name>``.
         length, width, height: of the body [m].
         radius: of the circle around the robot as seen from above [m].
         mass: [kg].
@@ -25,6 +40,9 @@ class RobotModel:
         sensor_height: of the range finder's plane above the floor [m].
         actuators: what takes commands; ``base`` takes a Twist.
         capabilities: what it can do.
+
+    Raises:
+        ValueError: a measure is no finite number above 0; names it.
     """
 
     name: str
@@ -41,3 +59,9 @@ class RobotModel:
     sensor_height: float
     actuators: Tuple[str, ...] = ("base",)
     capabilities: FrozenSet[str] = frozenset()
+
+    def __post_init__(self) -> None:
+        for measure in _MEASURES:
+            value: object = getattr(self, measure)
+            if not (isinstance(value, (int, float)) and math.isfinite(value) and value > 0.0):
+                raise ValueError(f"robot model {self.name}: {measure} must be a finite number above 0 (got {value!r})")

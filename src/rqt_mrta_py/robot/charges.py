@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Collection, Dict, FrozenSet, Iterator, Mapping, NamedTuple, Optional, Set, Tuple
+import math
+from typing import Any, Collection, Dict, FrozenSet, Iterator, Mapping, NamedTuple, Optional, Set, Tuple
 
 from rqt_mrta_py.hooks import Behaviour
 from rqt_mrta_py.model import Progress, Task
 from rqt_mrta_py.robot.perception import BehaviourPerception
+from rqt_mrta_py.wording import shown
 
 __all__ = ["ENDS_TASK", "Charge", "Charges", "lacking_capabilities", "listed", "undone_predecessors"]
 
@@ -20,6 +22,33 @@ class Charge(NamedTuple):
     task: Task
     behaviour: Behaviour
     perception: BehaviourPerception
+
+    def is_applicable(self) -> bool:
+        """Ask the behaviour whether the task could be carried out now.
+
+        Raises:
+            TypeError: it answers neither True nor False.
+        """
+        answer: Any = self.behaviour.applicable(self.task, self.perception)
+        if not isinstance(answer, bool):
+            raise TypeError(f"applicable answered {shown(answer)}; accepted is bool")
+        return answer
+
+    def cost(self) -> Optional[float]:
+        """Ask the behaviour what the task would cost; None if it cannot tell.
+
+        Raises:
+            TypeError: it answers neither a number nor None.
+            ValueError: it answers what is not a number.
+        """
+        answer: Any = self.behaviour.cost(self.task, self.perception)
+        if answer is None:
+            return None
+        if isinstance(answer, bool) or not isinstance(answer, (int, float)):
+            raise TypeError(f"cost answered {shown(answer)}; accepted is a float or None")
+        if math.isnan(answer):
+            raise ValueError("cost answered nan; None says that it cannot tell")
+        return float(answer)
 
 
 def lacking_capabilities(task: Task, capabilities: Optional[Collection[str]]) -> Tuple[str, ...]:

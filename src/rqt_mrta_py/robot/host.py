@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Callable, Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Set, Tuple, TypeVar
 
-from rqt_mrta_py.errors import RobotError
+from rqt_mrta_py.errors import MrtaError, RobotError
 from rqt_mrta_py.hooks import Agent, Behaviour, BehaviourStep, Decision, Heard, Outgoing, Situation, Subscription
+from rqt_mrta_py.hooks.answers import message_breach
 from rqt_mrta_py.model import Progress, Task
 from rqt_mrta_py.robot.charges import Charge, Charges, listed
 from rqt_mrta_py.robot.commands import Commander
@@ -119,7 +120,7 @@ class RobotHost:
 
         Raises:
             RobotError: agent or behaviour failed, or the agent chose a task that this robot does not have; names
-                robot, agent or behaviour, and the cause.
+                robot, agent or behaviour, and the cause. Errors that already speak to the user pass as they are.
             ValueError: the tick is not above the one before.
         """
         if tick <= self._tick:
@@ -156,7 +157,9 @@ class RobotHost:
             if self._charges.incapacity(charge.task):
                 continue
             try:
-                charge.behaviour.applicable(charge.task, charge.perception)
+                charge.is_applicable()
+            except MrtaError:
+                raise
             except Exception as error:  # noqa: BLE001 - a plugin may raise anything; all tasks are asked about first
                 cannot = f"{type(error).__name__}: {error}"
                 problems.append(f"{self._robot_id}: {_who(charge)} cannot begin: {cannot}")
@@ -215,16 +218,17 @@ class RobotHost:
     def _applicable(self) -> Dict[str, bool]:
         applicable = {}
         for charge in self._charges:
-            task, behaviour, perception = charge
             try:
-                applicable[task.id] = not self._charges.hindrance(charge) and behaviour.applicable(task, perception)
+                applicable[charge.task.id] = not self._charges.hindrance(charge) and charge.is_applicable()
+            except MrtaError:
+                raise
             except Exception as error:
                 raise self._failure(_who(charge), error) from error
         return applicable
 
     def _cost(self, task_id: str) -> Optional[float]:
         charge = self._charge(task_id, "asked for the cost of")
-        return self._guard(_who(charge), lambda: charge.behaviour.cost(charge.task, charge.perception))
+        return self._guard(_who(charge), charge.cost)
 
     def _charge(self, task_id: str, verb: str) -> Charge:
         charge = self._charges.find(task_id)
@@ -271,6 +275,8 @@ class RobotHost:
             if step.messages:
                 _extend(says, step.messages)
             says.extend(self._commander.publish(step.commands))
+        except MrtaError:
+            raise
         except Exception as error:
             raise self._failure(_who(charge), error) from error
         if step.progress is not Progress.RUNNING:
@@ -294,7 +300,7 @@ class RobotHost:
     def _guard(self, who: str, question: Callable[[], _Result]) -> _Result:
         try:
             return question()
-        except RobotError:
+        except MrtaError:
             raise
         except Exception as error:
             raise self._failure(who, error) from error
@@ -316,5 +322,7 @@ def _checked(value: _Result, wanted: type) -> _Result:
 
 def _extend(says: List[Outgoing], messages: Iterable[Outgoing]) -> None:
     for message in messages:
-        _checked(_checked(message, Outgoing).topic, str)
+        breach = message_breach(message)
+        if breach is not None:
+            raise TypeError(breach)
         says.append(message)

@@ -109,8 +109,8 @@ class Reports:
         if problem:
             return problem
         try:
-            charge.behaviour.applicable(task, charge.perception)
-            charge.behaviour.cost(task, charge.perception)
+            charge.is_applicable()
+            charge.cost()
         except Exception as error:  # noqa: BLE001 - what an operator asks for must not stop the robot
             return f"behaviour {task.kind!r} cannot begin: {type(error).__name__}: {error}"
         self._charges.take_on(charge)

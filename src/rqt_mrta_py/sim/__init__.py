@@ -2,7 +2,7 @@
 
 * ``bullet``: BulletWorld, wheels and contacts in PyBullet
 * ``planar``: PlanarWorld, thousands of robots seen from above, in NumPy
-* ``world_checks``: what every world of this room refuses
+* ``world_checks``: what every world of this room refuses; ``world_answers``: what any world may answer
 * ``robot_models``: the kinds of robots that this room brings
 * ``sensors``: range finder, odometry, localiser; one file each
 * ``simulated_robot``: one robot's hardware as a node: sensors, transforms, ``cmd_vel``

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Dict, Hashable, Iterable, List, Mapping, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Hashable, Iterable, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.errors import SimError
-from rqt_mrta_py.hooks import RayPattern, Sensor, SensorContext, SensorFactory, World
+from rqt_mrta_py.hooks import Outgoing, RayPattern, Sensor, SensorContext, SensorFactory, SensorMoment, World
+from rqt_mrta_py.hooks.answers import message_breach
 from rqt_mrta_py.sim.schedule import Schedule
+from rqt_mrta_py.sim.world_answers import ranges_of
+from rqt_mrta_py.wording import shown
 
 if TYPE_CHECKING:
     import numpy as np
@@ -39,6 +42,27 @@ class Mount:
     rays: Optional[RayPattern]
     pattern: Hashable
 
+    def measure(self, moment: SensorMoment) -> Sequence[Outgoing]:
+        """Let the sensor measure.
+
+        Args:
+            moment: what from.
+
+        Returns:
+            What it publishes.
+
+        Raises:
+            SimError: it answers anything but messages.
+        """
+        answer: Any = self.sensor.sense(moment)
+        if not isinstance(answer, (tuple, list)) or isinstance(answer, Outgoing):
+            raise SimError(f"{self.where}: answered {shown(answer)}; accepted is a sequence of Outgoing")
+        for message in answer:
+            breach = message_breach(message)
+            if breach is not None:
+                raise SimError(f"{self.where}: {breach}")
+        return answer
+
 
 def mount(context: SensorContext, factory: SensorFactory, control_rate: int) -> Mount:
     """Make a sensor and mount it.
@@ -60,17 +84,19 @@ def mount(context: SensorContext, factory: SensorFactory, control_rate: int) -> 
     except ValueError as error:
         raise SimError(f"{where}: {error}") from error
     sensor = factory(context)
-    if sensor.rays is None:
+    wanted = sensor.rays
+    if wanted is None:
         return Mount(context.robot_id, where, schedule, sensor, None, None)
-    rays = _checked(where, *sensor.rays)
+    rays = _checked(where, wanted)
     return Mount(context.robot_id, where, schedule, sensor, rays, (rays.max_range, rays.bearings.tobytes()))
 
 
-def cast_together(world: World, due: Iterable[Mount]) -> Mapping[Mount, NDArray[np.float64]]:
+def cast_together(world: World, name: str, due: Iterable[Mount]) -> Mapping[Mount, NDArray[np.float64]]:
     """Cast the rays of sensors, asking the world once for all that want equal ones.
 
     Args:
         world: where the robots are.
+        name: of the world.
         due: whose rays to cast; those that want none are left out.
 
     Returns:
@@ -85,25 +111,26 @@ def cast_together(world: World, due: Iterable[Mount]) -> Mapping[Mount, NDArray[
             alike.setdefault(one.pattern, (one.rays, []))[1].append(one)
     seen: Dict[Mount, NDArray[np.float64]] = {}
     for rays, mounts in alike.values():
-        rows = world.ranges([one.robot_id for one in mounts], rays.bearings, rays.max_range)
-        if rows.shape != (len(mounts), rays.bearings.size):
-            raise SimError(
-                f"{mounts[0].where}: the world answered ranges of shape {rows.shape} for {len(mounts)} robots with "
-                f"{rays.bearings.size} rays each"
-            )
+        rows = ranges_of(name, world, [one.robot_id for one in mounts], rays)
         rows.flags.writeable = False
         seen.update(zip(mounts, rows))
     return seen
 
 
-def _checked(where: str, bearings: NDArray[np.float64], max_range: float) -> RayPattern:
+def _checked(where: str, wanted: object) -> RayPattern:
     import numpy as np
 
-    taken = np.asarray(bearings, dtype=np.float64)
+    if not isinstance(wanted, RayPattern):
+        raise SimError(f"{where}: its rays must be a RayPattern or None (got {shown(wanted)})")
+    bearings, max_range = wanted
+    try:
+        taken = np.array(bearings, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise SimError(f"{where}: its rays must have numbers for bearings (got {shown(bearings)})") from None
     if taken.ndim != 1 or taken.size > MOST_RAYS or not np.isfinite(taken).all():
         raise SimError(
             f"{where}: its rays must be a row of at most {MOST_RAYS} finite bearings (got shape {taken.shape})"
         )
-    if not 0.0 < max_range < np.inf:
+    if not (isinstance(max_range, (int, float)) and 0.0 < max_range < np.inf):
         raise SimError(f"{where}: its rays must have a finite length above 0 m (got {max_range!r})")
     return RayPattern(taken, float(max_range))

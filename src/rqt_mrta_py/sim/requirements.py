@@ -5,12 +5,11 @@ from __future__ import annotations
 import difflib
 from typing import Collection, Dict, Iterable, Iterator, Mapping
 
-from rqt_mrta_py.hooks import LinkFactory, RobotModel, SensorFactory, World, WorldFactory
+from rqt_mrta_py.hooks import LinkFactory, RobotModel, SensorFactory, WorldFactory
 from rqt_mrta_py.model import ScenarioEventKind, ScenarioSpec
 from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
 
 __all__ = ["blind_sensors", "missing_capabilities", "missing_links", "missing_names"]
-
 
 _FREEZING = (ScenarioEventKind.ROBOT_STOPS, ScenarioEventKind.ROBOT_STICKS)
 
@@ -50,8 +49,10 @@ def missing_links(scenario: ScenarioSpec, links: Mapping[str, LinkFactory]) -> I
             yield f"event {event.kind.value} at {event.time:g} s: no radio {kind!r}{_offer(kind, links)}"
 
 
-def missing_capabilities(scenario: ScenarioSpec, models: Mapping[str, RobotModel], world: World) -> Iterator[str]:
-    """Find what a scenario asks of its world beyond what that can do.
+def missing_capabilities(
+    scenario: ScenarioSpec, models: Mapping[str, RobotModel], capabilities: Collection[str]
+) -> Iterator[str]:
+    """Find what a scenario asks of its world beyond the capabilities of that.
 
     Yields:
         One line for each, in file order, with what the world can do.
@@ -63,25 +64,27 @@ def missing_capabilities(scenario: ScenarioSpec, models: Mapping[str, RobotModel
         if event.kind in _FREEZING:
             needs.setdefault("freeze", f"event {event.kind.value} at {event.time:g} s")
     for capability, who in needs.items():
-        if capability not in world.capabilities:
-            yield _lack(who, scenario.world, capability, world)
+        if capability not in capabilities:
+            yield _lack(who, scenario.world, capability, capabilities)
 
 
-def blind_sensors(scenario: ScenarioSpec, robots: Iterable[SimulatedRobot], world: World) -> Iterator[str]:
+def blind_sensors(
+    scenario: ScenarioSpec, robots: Iterable[SimulatedRobot], capabilities: Collection[str]
+) -> Iterator[str]:
     """Find the sensors that want rays of a world that casts none.
 
     Yields:
         One line for each, in file order, with what the world can do.
     """
-    if "ranges" not in world.capabilities:
+    if "ranges" not in capabilities:
         for robot in robots:
             for mount in robot.mounts:
                 if mount.rays is not None:
-                    yield _lack(mount.where, scenario.world, "ranges", world)
+                    yield _lack(mount.where, scenario.world, "ranges", capabilities)
 
 
-def _lack(who: str, name: str, capability: str, world: World) -> str:
-    offered = ", ".join(sorted(world.capabilities)) or "nothing"
+def _lack(who: str, name: str, capability: str, capabilities: Collection[str]) -> str:
+    offered = ", ".join(sorted(capabilities)) or "nothing"
     return f"{who}: world {name} lacks {capability}; it can do: {offered}"
 
 

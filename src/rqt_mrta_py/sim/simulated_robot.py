@@ -106,7 +106,7 @@ class SimulatedRobot:
         """
         measured: List[Outgoing] = []
         for one in due:
-            measured.extend(one.sensor.sense(SensorMoment(now, truth, seen.get(one), world)))
+            measured.extend(one.measure(SensorMoment(now, truth, seen.get(one), world)))
         measured.extend(self._transforms.derive(now, measured))
         return measured
 

@@ -25,6 +25,7 @@ from rqt_mrta_py.sim.requirements import blind_sensors, missing_capabilities, mi
 from rqt_mrta_py.sim.scenario_events import in_order
 from rqt_mrta_py.sim.schedule import first_tick_at
 from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
+from rqt_mrta_py.sim.world_answers import capabilities_of, poses_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -79,6 +80,7 @@ class Simulation:
         placed = tuple(PlacedRobot(robot.id, models[robot.model], robot.start) for robot in scenario.robots)
         _raise_if_any(placement_problems(scenario.arena, scenario.obstacles, placed))
         self.robots = _build_robots(scenario, models, sensors, generators)
+        self._names = list(self.robots)
         self._events = in_order(scenario)
         self._next_event = 0
         self._now = 0.0
@@ -87,8 +89,9 @@ class Simulation:
         self.radio = Radio(built.first)
         self.world: World = worlds[scenario.world]()
         try:
-            blind = blind_sensors(scenario, self.robots.values(), self.world)
-            _raise_if_any([*missing_capabilities(scenario, models, self.world), *blind])
+            capabilities = capabilities_of(scenario.world, self.world)
+            blind = blind_sensors(scenario, self.robots.values(), capabilities)
+            _raise_if_any([*missing_capabilities(scenario, models, capabilities), *blind])
             self.world.reset(WorldSetup(scenario.arena, scenario.obstacles, placed, 1.0 / scenario.control_rate))
         except BaseException:
             self.world.close()
@@ -126,12 +129,14 @@ class Simulation:
             What each robot's driver publishes, in the scenario's order; robots that say nothing are left out.
         """
         due = {robot_id: robot.due(tick) for robot_id, robot in self.robots.items()}
-        seen = cast_together(self.world, (mount for mounts in due.values() for mount in mounts))
+        seen = cast_together(self.world, self.scenario.world, (mount for mounts in due.values() for mount in mounts))
         said: List[Tuple[str, Sequence[Outgoing]]] = []
-        for robot, place in zip(self.robots.values(), self.world.poses().tolist()):
+        places = self._where_they_are()
+        for robot in self.robots.values():
             mounts = due[robot.id]
             if mounts:
-                outgoing = robot.sense(now + self.clock_offset(robot.id), Pose(*place), mounts, seen, self.world)
+                truth = places[robot.id]
+                outgoing = robot.sense(now + self.clock_offset(robot.id), truth, mounts, seen, self.world)
                 if outgoing:
                     said.append((robot.id, outgoing))
         return said
@@ -162,10 +167,18 @@ class Simulation:
         self.world.close()
 
     def _pose(self, robot_id: str) -> Optional[Pose]:
-        """Give a robot's true pose; the world is asked once a tick."""
+        """Give a robot's true pose; None for anything else."""
+        return self._where_they_are().get(robot_id)
+
+    def _where_they_are(self) -> Mapping[str, Pose]:
+        """Give every robot's true pose; the world is asked once a tick.
+
+        Raises:
+            SimError: the world answers what are no poses.
+        """
         if self._places is None:
-            self._places = {name: Pose(*place) for name, place in zip(self.robots, self.world.poses().tolist())}
-        return self._places.get(robot_id)
+            self._places = poses_of(self.scenario.world, self.world, self._names)
+        return self._places
 
 
 def _no_chance(sender: str, receiver: str) -> np.random.Generator:

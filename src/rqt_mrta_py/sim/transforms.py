@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import abc
 from typing import Any, List, Mapping, Optional, Sequence
 
 from rqt_mrta_py.hooks import Outgoing
@@ -34,9 +35,9 @@ class TransformSource:
         counted: Optional[Mapping[str, Any]] = None
         for outgoing in measured:
             if outgoing.type == "nav_msgs/Odometry":
-                counted = outgoing.fields["pose"]["pose"]
+                counted = _inner(_inner(outgoing.fields, "pose"), "pose")
             elif outgoing.type == "geometry_msgs/PoseStamped":
-                located = outgoing.fields["pose"]
+                located = _inner(outgoing.fields, "pose")
         if counted is not None:
             self._odometry = counted
         if located is not None and self._odometry is not None:
@@ -48,6 +49,12 @@ class TransformSource:
             transforms.append(transform(now, "map", self._odom_frame, self._origin))
         transforms.append(transform(now, self._odom_frame, self._base_frame, counted))
         return (Outgoing("/tf", "tf2_msgs/TFMessage", {"transforms": transforms}),)
+
+
+def _inner(fields: Any, name: str) -> Mapping[str, Any]:
+    """Give a part of a message, whose fields nobody has checked yet; one left out has none."""
+    inner = fields.get(name, {})
+    return inner if isinstance(inner, abc.Mapping) else {}
 
 
 def odometry_origin(located: Pose, counted: Pose) -> Pose:

@@ -2,6 +2,9 @@ from __future__ import annotations
 
 from itertools import product
 
+import pytest
+
+from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.sim.radio import Radio
 
 ROBOTS = ("r1", "r2", "r3", "r4")
@@ -81,3 +84,16 @@ def test_partition_does_not_bring_back_a_failed_radio():
     radio.set_failed("r1", failed=True)
     radio.heal()
     assert reached(radio, ("r1", "r2", "r3")) == {("r2", "r3"), ("r3", "r2")}
+
+
+@pytest.mark.parametrize("answer", [None, 0.0, ["soon"], [-0.1], [float("nan")], iter([0.0])])
+def test_link_that_answers_no_delays_is_named(answer):
+    class Careless:
+        def deliveries(self, sender, receiver, now):
+            return answer
+
+    with pytest.raises(SimError) as caught:
+        Radio(Careless()).deliveries("robot1", "robot2", 1.0)
+    assert str(caught.value) == (
+        f"link Careless: answered {answer!r} for a message from 'robot1' to 'robot2'; delays of at least 0 s are accepted"
+    )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import List, Mapping, Tuple
 
-from rqt_mrta_py.app.guard import made
+from rqt_mrta_py.app.guard import GuardedNavigator, guarded_allocators, made
 from rqt_mrta_py.app.run.chance import Purpose, generator
 from rqt_mrta_py.errors import RobotError, UsageError
 from rqt_mrta_py.hooks import (
@@ -67,7 +67,7 @@ class _Parts:
         """Ask the plugins once for the whole team."""
         return cls(
             agents=manager.registered("mrta_register_agents"),
-            allocators=manager.registered("mrta_register_allocators"),
+            allocators=guarded_allocators(manager.registered("mrta_register_allocators")),
             behaviours=manager.registered("mrta_register_behaviours"),
             evaluators=manager.registered("mrta_register_sensory_evaluators"),
             planners=manager.registered("mrta_register_planners"),
@@ -115,11 +115,11 @@ def _host(mission: Mission, seed: int, robot_id: str, simulation: Simulation, pa
     tasks, later_tasks = mission.tasks_of(robot_id), mission.later_tasks_of(robot_id)
     model = simulation.robots[robot_id].model
     planner_setup = PlannerSetup(scenario.arena, scenario.obstacles, model.radius)
-    planner = _planner(scenario.planner, parts.planners)
+    planner, who = _planner(scenario.planner, parts.planners), f"{robot_id}: planner {scenario.planner}"
     behaviour_setup = BehaviourSetup(
         robot_id=robot_id,
         model=model,
-        navigator=made(f"{robot_id}: planner {scenario.planner}", planner, planner_setup, *_PLANNER),
+        navigator=GuardedNavigator(who, made(who, planner, planner_setup, *_PLANNER)),
         random=generator(seed, robot_id, Purpose.BEHAVIOUR),
     )
     agent_setup = AgentSetup(
@@ -141,8 +141,7 @@ def _host(mission: Mission, seed: int, robot_id: str, simulation: Simulation, pa
             )
     behaviours = {}
     for kind in sorted({task.kind for task in (*tasks, *later_tasks)}):
-        who = f"{robot_id}: behaviour {kind!r}"
-        behaviours[kind] = made(who, parts.behaviours[kind], behaviour_setup, *_BEHAVIOUR)
+        behaviours[kind] = made(f"{robot_id}: behaviour {kind!r}", parts.behaviours[kind], behaviour_setup, *_BEHAVIOUR)
     package = mission.architecture.package
     agent = made(f"{robot_id}: agent of {package}", _agent_factory(package, parts.agents), agent_setup, *_AGENT)
     own = {task.id for task in (*tasks, *later_tasks)}

@@ -65,7 +65,7 @@ class Radio:
             return _LOST
         delays = self.link.deliveries(sender, receiver, now)
         try:
-            fits = all(delay >= 0.0 for delay in delays)
+            fits = len(delays) >= 0 and all(delay >= 0.0 for delay in delays)
         except TypeError:
             fits = False
         if not fits:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, List, Mapping, Tuple, TypeVar
+from typing import Any, Callable, Dict, List, Mapping, TypeVar
 
 from rqt_mrta_py.errors import HookError, MrtaError
-from rqt_mrta_py.hooks import Curve, CurveGroup, CurvePanel, Heard, MonitorPanel, MonitorView, Renderer, Subscription
+from rqt_mrta_py.hooks import Subscription
 from rqt_mrta_py.wording import shown
 
-__all__ = ["GuardedPanel", "guarded", "guarded_renderer", "made", "makers", "wishes_of"]
+__all__ = ["guarded", "made", "makers", "wishes_of"]
 
 _Answer = TypeVar("_Answer")
 
@@ -88,45 +88,3 @@ def _wish(wish: object) -> Subscription:
     if not isinstance(wish.fields, tuple):
         raise TypeError(f"wants to hear {shown(wish)}; its fields must be a tuple of paths")
     return wish
-
-
-class GuardedPanel:
-    """A monitor panel whose failures carry its name."""
-
-    def __init__(self, name: str, panel: MonitorPanel) -> None:
-        self._who = f"monitor panel {name}"
-        self._panel = panel
-
-    def subscriptions(self) -> List[Subscription]:
-        """Say what to hear."""
-        return wishes_of(self._who, self._panel)
-
-    def hear(self, heard: Heard) -> None:
-        """Take in one message."""
-        guarded(self._who, self._panel.hear, heard)
-
-    def view(self, start: float, end: float) -> CurvePanel:
-        """Give what is to be drawn of the time from ``start`` to ``end`` [s]."""
-        view: Any = guarded(self._who, self._panel.view, start, end)
-        if not (isinstance(view, CurvePanel) and all(map(_is_group, view.groups))):
-            raise HookError(f"{self._who}: gives {shown(view)}; a CurvePanel of CurveGroups of Curves is needed")
-        return view
-
-
-def _is_group(group: object) -> bool:
-    return isinstance(group, CurveGroup) and all(isinstance(curve, Curve) for curve in group.curves)
-
-
-def guarded_renderer(name: str, renderer: Renderer) -> Renderer:
-    """Give a renderer whose failures carry its name."""
-
-    def draw(view: MonitorView) -> Any:
-        image = guarded(f"renderer {name}", renderer, view)
-        shape: Tuple[int, ...] = tuple(getattr(image, "shape", ()))
-        dtype = str(getattr(image, "dtype", ""))
-        if len(shape) != 3 or shape[2] != 3 or 0 in shape or dtype != "uint8":
-            found = f"an array of {shape} {dtype}" if dtype else shown(image)
-            raise HookError(f"renderer {name}: drew {found}; an array of (height, width, 3) uint8 is needed")
-        return image
-
-    return draw

@@ -1,0 +1,27 @@
+"""Plugins' parts where their answer is needed: what they raise, or answer amiss, is told with whose part it is.
+
+* ``asking``: asks one part, makes one, hears what it wants to hear
+* ``navigator``, ``allocator``: between agents or behaviours and what they work with
+* ``panel``, ``renderer``, ``exporter``: on the watching side
+"""
+
+from __future__ import annotations
+
+from rqt_mrta_py.app.guard.allocator import guarded_allocators
+from rqt_mrta_py.app.guard.asking import guarded, made, makers, wishes_of
+from rqt_mrta_py.app.guard.exporter import GuardedExporter
+from rqt_mrta_py.app.guard.navigator import GuardedNavigator
+from rqt_mrta_py.app.guard.panel import GuardedPanel
+from rqt_mrta_py.app.guard.renderer import guarded_renderer
+
+__all__ = [
+    "GuardedExporter",
+    "GuardedNavigator",
+    "GuardedPanel",
+    "guarded",
+    "guarded_allocators",
+    "guarded_renderer",
+    "made",
+    "makers",
+    "wishes_of",
+]
