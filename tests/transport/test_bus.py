@@ -438,7 +438,7 @@ def test_a_subscription_that_does_not_fit_is_said_once_and_not_served(
     assert got == []
     assert [record.getMessage() for record in caplog.records] == [
         "a subscription is not served node=/robot1/agent topic=/t "
-        "reason=it carries std_msgs/String, subscribed to as std_msgs/Int8",
+        "reason=carries std_msgs/String, subscribed to as std_msgs/Int8",
         "a subscription is not served node=/robot1/agent topic=/t "
         "reason=std_msgs/String: no field 'nope'; fields of std_msgs/String are: data",
     ]

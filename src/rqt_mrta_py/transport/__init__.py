@@ -2,7 +2,7 @@
 
 * ``definitions``, ``types``: what message types look like, from their texts
 * ``wire``, ``reading``, ``writing``, ``values``, ``faults``, ``codec``: fields into bytes and back
-* ``patterns``, ``dispatch``: hearing a stream
+* ``patterns``, ``fitting``, ``dispatch``: hearing a stream
 * ``bus``, ``node``, ``inbox``, ``wiring``: the embedded bus of simulated runs
 * ``batches``: from process to process
 * ``bag_writer``, ``bag_chunks``, ``bag_records``, ``compression``: bags as they are recorded

@@ -7,6 +7,7 @@ from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Opt
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Codec, Connection, FieldReader, Heard, Stamped, Subscription
+from rqt_mrta_py.transport.fitting import reader_for
 from rqt_mrta_py.transport.patterns import TopicPattern, resolve_topic
 
 __all__ = ["Dispatcher"]
@@ -29,7 +30,7 @@ class _Wish(NamedTuple):
     callback: Callable[[Heard], None]
 
 
-class _Listener(NamedTuple):
+class _MetWish(NamedTuple):
     """A wish that a connection meets; without a reader it wants nothing of the content."""
 
     callback: Callable[[Heard], None]
@@ -52,12 +53,12 @@ class _Complaint(NamedTuple):
 class _Route:
     """Where the messages of one connection go."""
 
-    __slots__ = ("complaints", "connection", "listeners", "ordinals")
+    __slots__ = ("complaints", "connection", "met", "ordinals")
 
     def __init__(self, connection: Connection, ordinals: Iterator[int]) -> None:
         self.connection = connection
         self.ordinals = ordinals
-        self.listeners: Tuple[_Listener, ...] = ()
+        self.met: Tuple[_MetWish, ...] = ()
         self.complaints: List[_Complaint] = []
 
 
@@ -108,12 +109,12 @@ class Dispatcher:
         ordinal = next(route.ordinals)
         if route.complaints:
             self._complain_first(route, receipt_ns, ordinal)
-        if not route.listeners:
+        if not route.met:
             return
         receipt = receipt_ns / 1_000_000_000
         topic, type_name, caller = connection.topic, connection.type, connection.caller
         read: Dict[Tuple[str, ...], Mapping[str, Any]] = {}
-        for callback, robot, task, paths, reader, wish in route.listeners:
+        for callback, robot, task, paths, reader, wish in route.met:
             if reader is None:
                 fields = _NOTHING
             elif paths in read:
@@ -150,24 +151,16 @@ class Dispatcher:
 
     def _new_route(self, connection: Connection) -> _Route:
         route = _Route(connection, self._ordinals.setdefault(connection.topic, count()))
-        listeners: List[_Listener] = []
+        met: List[_MetWish] = []
         for wish in self._wishes:
             tokens = wish.pattern.match(connection.topic)
             if tokens is None:
                 continue
-            paths, type_name = wish.subscription.fields, wish.subscription.type
-            reader = None
-            text = ""
-            if type_name and type_name != connection.type:
-                text = f"{connection.topic}: carries {connection.type}, subscribed to as {type_name}"
-            elif paths:
-                try:
-                    reader = self._codec.compile(connection, paths)
-                except TransportError as error:
-                    text = f"{connection.topic}: {error}"
-            if text:
-                route.complaints.append(_Complaint(wish, tokens[0], tokens[1], text))
+            try:
+                reader = reader_for(self._codec, connection, wish.subscription)
+            except TransportError as error:
+                route.complaints.append(_Complaint(wish, tokens[0], tokens[1], f"{connection.topic}: {error}"))
             else:
-                listeners.append(_Listener(wish.callback, tokens[0], tokens[1], paths, reader, wish))
-        route.listeners = tuple(listeners)
+                met.append(_MetWish(wish.callback, tokens[0], tokens[1], wish.subscription.fields, reader, wish))
+        route.met = tuple(met)
         return route

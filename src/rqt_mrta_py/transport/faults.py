@@ -8,6 +8,7 @@ from typing import Any, Mapping, Optional
 
 from rqt_mrta_py.transport.definitions import Definition, Field
 from rqt_mrta_py.transport.wire import BYTE_TYPES, INTEGER_RANGES
+from rqt_mrta_py.wording import shown
 
 __all__ = ["find_fault"]
 
@@ -119,9 +120,7 @@ def _time(type_name: str, value: Any) -> Any:
 
 
 def _fault(path: str, value: Any, accepted: str) -> str:
-    shown = repr(value)
-    shown = shown if len(shown) <= 60 else shown[:57] + "..."
-    return f"{path}: {shown} does not fit; accepted is {accepted}"
+    return f"{path}: {shown(value)} does not fit; accepted is {accepted}"
 
 
 _CHECKS = {"float32": _float, "float64": _float, "bool": _bool, "string": _string, "time": _time, "duration": _time}

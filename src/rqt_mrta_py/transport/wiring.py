@@ -7,7 +7,8 @@ from itertools import count
 from typing import Callable, Dict, Iterator, List, NamedTuple, Optional, Set, Tuple
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Codec, Connection, FieldReader, Heard, Subscription
+from rqt_mrta_py.hooks import Codec, Connection, Heard, Subscription
+from rqt_mrta_py.transport.fitting import reader_for
 from rqt_mrta_py.transport.inbox import Hearing, Inbox
 from rqt_mrta_py.transport.patterns import TopicPattern
 
@@ -147,18 +148,12 @@ class Wiring:
         Returns:
             How it hears; None where it cannot, which is logged once.
         """
-        paths, wanted = ear.subscription.fields, ear.subscription.type
-        reader: Optional[FieldReader] = None
-        if wanted and wanted != connection.type:
-            self._refuse(ear, connection, f"it carries {connection.type}, subscribed to as {wanted}")
+        try:
+            reader = reader_for(self._codec, connection, ear.subscription)
+        except TransportError as error:
+            self._refuse(ear, connection, str(error))
             return None
-        if paths:
-            try:
-                reader = self._codec.compile(connection, paths)
-            except TransportError as error:
-                self._refuse(ear, connection, str(error))
-                return None
-        return Hearing(ear.callback, tokens[0], tokens[1], paths, reader)
+        return Hearing(ear.callback, tokens[0], tokens[1], ear.subscription.fields, reader)
 
     def _receivers(self, topic: Topic, connection: Connection) -> Tuple[Receiver, ...]:
         ears = [(ear, tokens) for group, tokens in topic.groups for ear in group.ears]
