@@ -10,7 +10,7 @@ import pytest
 from rqt_mrta_py.hooks import AllocationEnded, AllocationStarted, RobotStateChanged, TaskStateChanged
 from rqt_mrta_py.model import Event, Evidence, Incident, Outcome, Progress, RobotState, Severity, TaskState
 from rqt_mrta_py.supervisor.news import event_news, fact_news, incident_news
-from rqt_mrta_py.transport.definitions import parse_message
+from rqt_mrta_py.transport.codec.definitions import parse_message
 from tests.supervisor.mini import Stream, allocations, history, of_kind
 
 LAST = Evidence("/t", 1.0, 0)

@@ -9,7 +9,7 @@ import pytest
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.transport import RosCodec
-from rqt_mrta_py.transport.values import Texts
+from rqt_mrta_py.transport.codec.values import Texts
 from tests.transport.support import connection, lookup
 
 MOTIVATION = {

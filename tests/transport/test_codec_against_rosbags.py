@@ -9,9 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rqt_mrta_py.transport import RosCodec
-from rqt_mrta_py.transport.definitions import Definition, Field
-from rqt_mrta_py.transport.types import TypeLibrary
-from rqt_mrta_py.transport.wire import INTEGER_RANGES
+from rqt_mrta_py.transport.codec.definitions import Definition, Field
+from rqt_mrta_py.transport.codec.types import TypeLibrary
+from rqt_mrta_py.transport.codec.wire import INTEGER_RANGES
 from tests.transport.support import ODD_TYPES, lookup
 
 TYPES = (

@@ -8,8 +8,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.transport.definitions import Constant, Field, parse_definition, parse_message
-from rqt_mrta_py.transport.types import TypeLibrary
+from rqt_mrta_py.transport.codec.definitions import Constant, Field, parse_definition, parse_message
+from rqt_mrta_py.transport.codec.types import TypeLibrary
 from tests.transport.support import ROS_PYTHON, lookup, require_ros, run_ros
 
 SEPARATOR = "=" * 80

@@ -1,9 +1,8 @@
 """Messages in motion.
 
-* ``definitions``, ``types``: what message types look like, from their texts
-* ``wire``, ``reading``, ``writing``, ``values``, ``faults``, ``codec``: fields into bytes and back
+* ``codec``: message types, fields into bytes and back
 * ``patterns``, ``fitting``, ``dispatch``: hearing a stream
-* ``bus``, ``node``, ``inbox``, ``wiring``: the embedded bus of simulated runs
+* ``embedded``: the bus of simulated runs
 * ``batches``: from process to process
 * ``bag_writer``, ``bag_chunks``, ``bag_records``, ``compression``: bags as they are recorded
 * ``bag_reader``, ``chunk_walk``: bags as they are read, whole or not
@@ -15,12 +14,12 @@ from __future__ import annotations
 from rqt_mrta_py.transport.bag_reader import BagInfo, read_bag, read_bag_info
 from rqt_mrta_py.transport.bag_writer import BagWriter
 from rqt_mrta_py.transport.batches import BatchPacker, BatchUnpacker
-from rqt_mrta_py.transport.bus import Bus
 from rqt_mrta_py.transport.chunk_walk import ChunkWalk
-from rqt_mrta_py.transport.codec import RosCodec
+from rqt_mrta_py.transport.codec.ros_codec import RosCodec
 from rqt_mrta_py.transport.compression import Compression
 from rqt_mrta_py.transport.dispatch import Dispatcher
-from rqt_mrta_py.transport.node import Node
+from rqt_mrta_py.transport.embedded.bus import Bus
+from rqt_mrta_py.transport.embedded.node import Node
 
 __all__ = [
     "BagInfo",

@@ -7,9 +7,9 @@ from typing import Any, Callable, Dict, Mapping, Optional, Protocol, Tuple
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Heard, Outgoing, Subscription
 from rqt_mrta_py.model import resolve_name
-from rqt_mrta_py.transport.inbox import Inbox
+from rqt_mrta_py.transport.embedded.inbox import Inbox
+from rqt_mrta_py.transport.embedded.wiring import Ear
 from rqt_mrta_py.transport.patterns import resolve_topic
-from rqt_mrta_py.transport.wiring import Ear
 
 __all__ = ["Carrier", "Node"]
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Callable, Dict, Optional
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.transport.definitions import Definition, MessageSpec, parse_definition, parse_message
+from rqt_mrta_py.transport.codec.definitions import Definition, MessageSpec, parse_definition, parse_message
 from rqt_mrta_py.transport.rosbags_door import noetic_definition
 
 __all__ = ["TypeLibrary"]

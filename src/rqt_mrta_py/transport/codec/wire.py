@@ -6,7 +6,7 @@ import math
 from typing import Dict, Tuple
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.transport.definitions import Definition, Field
+from rqt_mrta_py.transport.codec.definitions import Definition, Field
 
 __all__ = ["BYTE_TYPES", "INTEGER_RANGES", "MOST_EMPTY", "NUMBERS", "WORDS", "Sizes", "duration_words", "time_words"]
 

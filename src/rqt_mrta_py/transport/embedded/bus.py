@@ -14,10 +14,10 @@ from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Codec, Connection, Link, Stamped
-from rqt_mrta_py.transport.definitions import parse_definition
-from rqt_mrta_py.transport.inbox import Hearing, Inbox, Message
-from rqt_mrta_py.transport.node import Node
-from rqt_mrta_py.transport.wiring import Ear, Receiver, Topic, Wiring
+from rqt_mrta_py.transport.codec.definitions import parse_definition
+from rqt_mrta_py.transport.embedded.inbox import Hearing, Inbox, Message
+from rqt_mrta_py.transport.embedded.node import Node
+from rqt_mrta_py.transport.embedded.wiring import Ear, Receiver, Topic, Wiring
 
 __all__ = ["Bus"]
 

@@ -11,8 +11,8 @@ import struct
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.transport.definitions import Definition, Field
-from rqt_mrta_py.transport.wire import BYTE_TYPES, MOST_EMPTY, NUMBERS, WORDS, Sizes
+from rqt_mrta_py.transport.codec.definitions import Definition, Field
+from rqt_mrta_py.transport.codec.wire import BYTE_TYPES, MOST_EMPTY, NUMBERS, WORDS, Sizes
 
 __all__ = ["compile_decoder", "compile_reader"]
 

@@ -8,8 +8,8 @@ from typing import Callable, Dict, Iterator, List, NamedTuple, Optional, Set, Tu
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Codec, Connection, Heard, Subscription
+from rqt_mrta_py.transport.embedded.inbox import Hearing, Inbox
 from rqt_mrta_py.transport.fitting import reader_for
-from rqt_mrta_py.transport.inbox import Hearing, Inbox
 from rqt_mrta_py.transport.patterns import TopicPattern
 
 __all__ = ["Ear", "Receiver", "Topic", "Wiring"]

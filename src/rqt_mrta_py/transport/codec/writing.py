@@ -1,7 +1,7 @@
 """Writers of messages: a function is written, as Python text, for one type.
 
 Such a function trusts its values and lets Python's own checks find those that do not fit; what exactly is wrong
-with them is then looked up by ``faults``, off the hot path.
+with them is then looked up by ``misfits``, off the hot path.
 """
 
 from __future__ import annotations
@@ -11,10 +11,10 @@ from functools import lru_cache
 from typing import Any, Callable, Dict, List, Mapping, Tuple
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.transport.definitions import Definition, Field
-from rqt_mrta_py.transport.faults import find_fault
-from rqt_mrta_py.transport.values import Texts, bytes_of, elements_of, truth_of, truths_of, words_of
-from rqt_mrta_py.transport.wire import BYTE_TYPES, NUMBERS, WORDS, Sizes, duration_words, time_words
+from rqt_mrta_py.transport.codec.definitions import Definition, Field
+from rqt_mrta_py.transport.codec.misfits import find_misfit
+from rqt_mrta_py.transport.codec.values import Texts, bytes_of, elements_of, truth_of, truths_of, words_of
+from rqt_mrta_py.transport.codec.wire import BYTE_TYPES, NUMBERS, WORDS, Sizes, duration_words, time_words
 
 __all__ = ["compile_encoder"]
 
@@ -36,7 +36,7 @@ def compile_encoder(definition: Definition) -> Callable[[Mapping[str, Any]], byt
     """
 
     def fault(fields: Any, error: Exception) -> TransportError:
-        return TransportError(f"{definition.type}: {find_fault(definition, fields) or error}")
+        return TransportError(f"{definition.type}: {find_misfit(definition, fields) or error}")
 
     return _EncoderText(definition, fault).build()
 

@@ -6,17 +6,17 @@ import math
 import struct
 from typing import Any, Mapping, Optional
 
-from rqt_mrta_py.transport.definitions import Definition, Field
-from rqt_mrta_py.transport.wire import BYTE_TYPES, INTEGER_RANGES
+from rqt_mrta_py.transport.codec.definitions import Definition, Field
+from rqt_mrta_py.transport.codec.wire import BYTE_TYPES, INTEGER_RANGES
 from rqt_mrta_py.wording import shown
 
-__all__ = ["find_fault"]
+__all__ = ["find_misfit"]
 
 _LATEST = 2**32
 _LONGEST = 2**31
 
 
-def find_fault(definition: Definition, fields: Any) -> Optional[str]:
+def find_misfit(definition: Definition, fields: Any) -> Optional[str]:
     """Find the first value that does not fit, in the order of the fields.
 
     Args:
@@ -31,7 +31,7 @@ def find_fault(definition: Definition, fields: Any) -> Optional[str]:
 
 def _message(definition: Definition, type_name: str, fields: Any, path: str) -> Optional[str]:
     if not isinstance(fields, Mapping):
-        return _fault(path or "the message", fields, f"the fields of a {type_name} by name")
+        return _misfit(path or "the message", fields, f"the fields of a {type_name} by name")
     declared = definition.specs[type_name].fields
     for name in fields:
         if name not in [item.name for item in declared]:
@@ -41,9 +41,9 @@ def _message(definition: Definition, type_name: str, fields: Any, path: str) -> 
         if item.name in fields:
             below = f"{path}/{item.name}" if path else item.name
             check = _array if item.is_array else _value
-            fault = check(definition, item, fields[item.name], below)
-            if fault is not None:
-                return fault
+            misfit = check(definition, item, fields[item.name], below)
+            if misfit is not None:
+                return misfit
     return None
 
 
@@ -56,13 +56,13 @@ def _array(definition: Definition, item: Field, value: Any, path: str) -> Option
     elif getattr(value, "ndim", None) == 1:
         elements = value.tolist()
     else:
-        return _fault(path, value, accepted)
+        return _misfit(path, value, accepted)
     if item.length is not None and len(elements) != item.length:
         return f"{path}: {len(elements)} elements; accepted is {accepted}"
     for index, element in enumerate(elements):
-        fault = _value(definition, item, element, f"{path}/{index}")
-        if fault is not None:
-            return fault
+        misfit = _value(definition, item, element, f"{path}/{index}")
+        if misfit is not None:
+            return misfit
     return None
 
 
@@ -70,7 +70,7 @@ def _value(definition: Definition, item: Field, value: Any, path: str) -> Option
     if not item.is_primitive:
         return _message(definition, item.type, value, path)
     accepted, fits = _CHECKS.get(item.type, _integer)(item.type, value)
-    return None if fits else _fault(path, value, accepted)
+    return None if fits else _misfit(path, value, accepted)
 
 
 def _integer(type_name: str, value: Any) -> Any:
@@ -119,7 +119,7 @@ def _time(type_name: str, value: Any) -> Any:
     return accepted, plain and math.isfinite(seconds) and low - 5e-10 <= seconds < high
 
 
-def _fault(path: str, value: Any, accepted: str) -> str:
+def _misfit(path: str, value: Any, accepted: str) -> str:
     return f"{path}: {shown(value)} does not fit; accepted is {accepted}"
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import Connection, FieldReader
-from rqt_mrta_py.transport.definitions import Definition, parse_definition
-from rqt_mrta_py.transport.reading import compile_decoder, compile_reader
-from rqt_mrta_py.transport.types import TypeLibrary
-from rqt_mrta_py.transport.writing import compile_encoder
+from rqt_mrta_py.transport.codec.definitions import Definition, parse_definition
+from rqt_mrta_py.transport.codec.reading import compile_decoder, compile_reader
+from rqt_mrta_py.transport.codec.types import TypeLibrary
+from rqt_mrta_py.transport.codec.writing import compile_encoder
 
 __all__ = ["RosCodec"]
 

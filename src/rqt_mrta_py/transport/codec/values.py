@@ -1,6 +1,6 @@
 """Values as writers of messages take them: Python's own, NumPy's, and what does not fit at all.
 
-What does not fit raises whatever is at hand; ``faults`` finds the words for it.
+What does not fit raises whatever is at hand; ``misfits`` finds the words for it.
 """
 
 from __future__ import annotations

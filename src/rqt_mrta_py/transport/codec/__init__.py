@@ -1,0 +1,7 @@
+"""Message types, and fields into bytes and back.
+
+* ``definitions``: what the text of a type declares; ``types`` finds the text by the type's name
+* ``wire``, ``values``: how values stand in bytes, and how Python's and NumPy's get there
+* ``reading``, ``writing``: functions written for one type; ``misfits`` says what is wrong with a value
+* ``ros_codec``: all of it behind the Protocol ``hooks.Codec``
+"""
