@@ -2,67 +2,24 @@
 
 from __future__ import annotations
 
-from typing import Callable, FrozenSet, List, Optional, Sequence, Tuple
+from typing import Callable, List, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import EVERYTHING, AllocationInterpreter, AllocationSign, Heard, Subscription
-from rqt_mrta_py.model import ArchitectureSpec, Progress, RobotState, normalise_id
+from rqt_mrta_py.model import Progress, RobotState, normalise_id
 from rqt_mrta_py.supervisor.failures import checked, failure
 from rqt_mrta_py.supervisor.presence import Presence
-from rqt_mrta_py.supervisor.sources import (
-    STAMP,
-    Source,
-    allocation_sources,
-    robot_sources,
-    task_sources,
-    text_of,
-)
+from rqt_mrta_py.supervisor.sources import STAMP, Source, text_of
 from rqt_mrta_py.supervisor.statements import Report, Statements
 from rqt_mrta_py.supervisor.team import Team
+from rqt_mrta_py.supervisor.topics import Topics
 
-__all__ = ["Callback", "Ears", "Topics"]
+__all__ = ["Callback", "Ears"]
 
 Callback = Callable[[Heard], None]
 
-_MINIMUM_SILENCE = 2.0
 _PROGRESS_TOPIC = "/mrta/task_progress"
 _PROGRESS_TYPE = "rqt_mrta_py/TaskProgress"
 _OPERATOR = frozenset({Progress.APPEARED, Progress.WITHDRAWN, Progress.REASSIGNED})
-
-
-class Topics:
-    """An architecture's monitored topics, ready to be read.
-
-    Args:
-        architecture: declares them.
-    """
-
-    def __init__(self, architecture: ArchitectureSpec) -> None:
-        self.busy = robot_sources(architecture.busy_robots)
-        self.idle = robot_sources(architecture.idle_robots)
-        self.incoming = task_sources(architecture.incoming_tasks)
-        self.allocated = allocation_sources(architecture)
-        self.completed = task_sources(architecture.completed_tasks)
-        self.failed = task_sources(architecture.failed_tasks)
-
-    @property
-    def silence(self) -> float:
-        """How long a robot says nothing on any topic until it counts as lost [s]."""
-        return max([_MINIMUM_SILENCE, *(source.timeout for source in (*self.busy, *self.idle))])
-
-    @property
-    def busy_timeout(self) -> float:
-        """How long a busy message counts at most [s]; an allocated message counts no shorter."""
-        return max((source.timeout for source in self.busy), default=0.0)
-
-    @property
-    def hold(self) -> float:
-        """How long a sign keeps an allocation going [s]."""
-        return max((source.timeout for source in (*self.busy, *self.allocated)), default=_MINIMUM_SILENCE)
-
-    @property
-    def naming(self) -> FrozenSet[str]:
-        """Topics whose messages name the robot that speaks."""
-        return frozenset(source.topic.name for source in (*self.busy, *self.idle) if source.robot_path)
 
 
 class Ears:

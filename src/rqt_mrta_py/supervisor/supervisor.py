@@ -23,11 +23,12 @@ from rqt_mrta_py.hooks import (
 )
 from rqt_mrta_py.model import Event, Incident, Mission, MissionRecord
 from rqt_mrta_py.supervisor.desk import Desk
-from rqt_mrta_py.supervisor.ears import Callback, Ears, Topics
+from rqt_mrta_py.supervisor.ears import Callback, Ears
 from rqt_mrta_py.supervisor.failures import checked, failure
 from rqt_mrta_py.supervisor.journal import event_of_fact, event_of_incident, event_of_unreadable
 from rqt_mrta_py.supervisor.news import event_news, fact_news, incident_news, team_news
 from rqt_mrta_py.supervisor.team import Team, TeamSetup
+from rqt_mrta_py.supervisor.topics import Topics
 
 __all__ = ["Supervisor"]
 

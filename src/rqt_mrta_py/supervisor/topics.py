@@ -1,0 +1,48 @@
+"""The topics of an architecture, by what they say, and how long what they say counts."""
+
+from __future__ import annotations
+
+from typing import FrozenSet
+
+from rqt_mrta_py.model import ArchitectureSpec
+from rqt_mrta_py.supervisor.sources import allocation_sources, robot_sources, task_sources
+
+__all__ = ["Topics"]
+
+_MINIMUM_SILENCE = 2.0
+
+
+class Topics:
+    """An architecture's monitored topics, ready to be read.
+
+    Args:
+        architecture: declares them.
+    """
+
+    def __init__(self, architecture: ArchitectureSpec) -> None:
+        self.busy = robot_sources(architecture.busy_robots)
+        self.idle = robot_sources(architecture.idle_robots)
+        self.incoming = task_sources(architecture.incoming_tasks)
+        self.allocated = allocation_sources(architecture)
+        self.completed = task_sources(architecture.completed_tasks)
+        self.failed = task_sources(architecture.failed_tasks)
+
+    @property
+    def silence(self) -> float:
+        """How long a robot says nothing on any topic until it counts as lost [s]."""
+        return max([_MINIMUM_SILENCE, *(source.timeout for source in (*self.busy, *self.idle))])
+
+    @property
+    def busy_timeout(self) -> float:
+        """How long a busy message counts at most [s]; an allocated message counts no shorter."""
+        return max((source.timeout for source in self.busy), default=0.0)
+
+    @property
+    def hold(self) -> float:
+        """How long a sign keeps an allocation going [s]."""
+        return max((source.timeout for source in (*self.busy, *self.allocated)), default=_MINIMUM_SILENCE)
+
+    @property
+    def naming(self) -> FrozenSet[str]:
+        """Topics whose messages name the robot that speaks."""
+        return frozenset(source.topic.name for source in (*self.busy, *self.idle) if source.robot_path)
