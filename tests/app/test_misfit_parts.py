@@ -177,7 +177,8 @@ MISFITS = {
     ),
     "world, poses of another type": (
         plugin("worlds", "bullet", WORLD, method="poses(self)", answer="np.zeros((5, 1), int)"),
-        "world bullet: poses answered array([[0], [0], [0], [0], [0]]); accepted is an array of float64 of shape (5, 3)",
+        "world bullet: poses answered array([[0], [0], [0], [0], [0]]); accepted is an array of float64 of "
+        "shape (5, 3)",
     ),
     "world, poses that are nowhere": (
         plugin("worlds", "bullet", WORLD, method="poses(self)", answer="np.diag([0.0, np.nan, 0.0, 0.0, 0.0])[:, :3]"),
@@ -199,8 +200,8 @@ MISFITS = {
     ),
     "robot model, no radius": (
         plugin("robot_models", "diff_drive", "", "RobotModel('m', 'omni', 1, 1, 1, float('nan'), 1, 1, 1, 1, 1, 1)"),
-        "plugin 'stranger_plugin': mrta_register_robot_models raised ValueError: robot model m: radius must be a finite "
-        "number above 0 (got nan)",
+        "plugin 'stranger_plugin': mrta_register_robot_models raised ValueError: robot model m: radius must be a "
+        "finite number above 0 (got nan)",
     ),
     "sensor, no messages": (
         plugin("sensors", "odometry", LISTENER),
@@ -208,8 +209,8 @@ MISFITS = {
     ),
     "sensor, one message that is in no sequence": (
         plugin("sensors", "odometry", LISTENER, answer="Outgoing('odom', 'std_msgs/String', {})"),
-        "robot robot1: sensor odometry on odom: answered Outgoing(topic='odom', type='std_msgs/String', fields={{}}, la..."
-        "; accepted is a sequence of Outgoing",
+        "robot robot1: sensor odometry on odom: answered Outgoing(topic='odom', type='std_msgs/String', fields={{}}, "
+        "la...; accepted is a sequence of Outgoing",
     ),
     "sensor, no message": (
         plugin("sensors", "odometry", LISTENER, answer="['x']"),
@@ -292,6 +293,10 @@ MISFITS = {
     ),
 }
 
+WEIGHING_COSTS = (
+    *("run", "border_patrol", "--architecture", "nearest_robot"),
+    *("--duration", "1", "--pictures", "0", "--processes", "1"),
+)
 MISFITS_OF_TEAMS_THAT_WEIGH_COSTS = {
     "behaviour, cost is no number": (
         plugin("behaviours", "wander", BEHAVIOUR, answer="True", cost="'much'"),
@@ -361,13 +366,15 @@ def test_a_part_that_does_not_fit_is_told_where_costs_are_weighed(
     mrta: Mrta, stranger: Path, text: str, message: str
 ) -> None:
     stranger.write_text(text)
-    architecture = ["--architecture", "nearest_robot"]
+    assert mrta(*WEIGHING_COSTS) == (3, [f"mrta: {message}"])
 
-    status, lines = mrta(
-        "run", "border_patrol", "--duration", "1", "--pictures", "0", "--processes", "1", *architecture
-    )
 
-    assert (status, lines) == (3, [f"mrta: {message}"])
+def test_a_part_that_lacks_a_library_ends_the_run_with_the_status_for_that(mrta: Mrta, stranger: Path) -> None:
+    """A host of a robot made a failure of its own of it, with status 3."""
+    part = "def lost(problem):\n    raise MissingDependencyError('the allocator needs SciPy; install scipy')\n"
+    stranger.write_text(plugin("allocators", "nearest_robot/nearest", part, "lost"))
+
+    assert mrta(*WEIGHING_COSTS) == (4, ["mrta: the allocator needs SciPy; install scipy"])
 
 
 @pytest.mark.parametrize(

@@ -95,5 +95,6 @@ def test_link_that_answers_no_delays_is_named(answer):
     with pytest.raises(SimError) as caught:
         Radio(Careless()).deliveries("robot1", "robot2", 1.0)
     assert str(caught.value) == (
-        f"link Careless: answered {answer!r} for a message from 'robot1' to 'robot2'; delays of at least 0 s are accepted"
+        f"link Careless: answered {answer!r} for a message from 'robot1' to 'robot2'; "
+        "delays of at least 0 s are accepted"
     )
