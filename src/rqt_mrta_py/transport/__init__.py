@@ -5,12 +5,14 @@
 * ``embedded``: the bus of simulated runs
 * ``batches``: from process to process
 * ``bag_writer``, ``bag_chunks``, ``bag_records``, ``compression``: bags as they are recorded
-* ``bag_reader``, ``chunk_walk``: bags as they are read, whole or not
+* ``bag_reader``: bags as they are read
+* ``chunk_walk``, ``bag_scan``, ``bag_connections``, ``bag_faults``: what can be read of damaged ones
 * ``rosbags_door``: the only place that imports rosbags
 """
 
 from __future__ import annotations
 
+from rqt_mrta_py.transport.bag_faults import BagFault
 from rqt_mrta_py.transport.bag_reader import BagInfo, read_bag, read_bag_info
 from rqt_mrta_py.transport.bag_writer import BagWriter
 from rqt_mrta_py.transport.batches import BatchPacker, BatchUnpacker
@@ -22,6 +24,7 @@ from rqt_mrta_py.transport.embedded.bus import Bus
 from rqt_mrta_py.transport.embedded.node import Node
 
 __all__ = [
+    "BagFault",
     "BagInfo",
     "BagWriter",
     "BatchPacker",

@@ -1,42 +1,68 @@
-"""Bags without an index: what a recording left that was killed, filled its disk, or lost its end."""
+"""Bags without an index: what a recording left that was killed, filled its disk, or lost its end.
+
+Only what proves itself is believed: a compressed chunk unpacks; a message ends where its chunk does, or is followed by
+another record or by the end of the file. So a message right before a damaged place is left out, for its length may be
+what is damaged. Where no record stands, the next one is searched for, byte by byte.
+"""
 
 from __future__ import annotations
 
+import io
 import struct
 from pathlib import Path
-from typing import BinaryIO, Dict, Iterator, List, Mapping, Tuple
+from typing import BinaryIO, Iterator, List, NamedTuple, Optional
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Connection, Stamped
-from rqt_mrta_py.transport.bag_records import MAGIC, OP_CHUNK, OP_CONNECTION, OP_MESSAGE, parse_pairs
+from rqt_mrta_py.hooks import Stamped
+from rqt_mrta_py.transport.bag_connections import ConnectionTable
+from rqt_mrta_py.transport.bag_faults import BagFault, BagFaults
+from rqt_mrta_py.transport.bag_records import (
+    MAGIC,
+    OP_CHUNK,
+    OP_CHUNK_INFO,
+    OP_CONNECTION,
+    OP_FILE_HEADER,
+    OP_MESSAGE,
+)
+from rqt_mrta_py.transport.bag_scan import LARGEST_RECORD, Record, find_record, follows, read_record
 from rqt_mrta_py.transport.compression import Compression, decompress
 
 __all__ = ["ChunkWalk"]
 
-_LARGEST_CHUNK = 2**30
-"""Chunks that claim more are not believed; ROS closes them at 768 KiB, or after one message that is larger [bytes]."""
-
-_LONGEST_HEADER = 2**20
-"""The longest header holds the name of a topic [bytes]."""
-
-_CUT = "the header of a record is cut off"
-
 _u32 = struct.Struct("<I").unpack_from
+_u64 = struct.Struct("<Q").unpack_from
 _two = struct.Struct("<II").unpack_from
 
 
+class _Stretch(NamedTuple):
+    """Records one after another: those of the file, or those of a compressed chunk.
+
+    ``chunk`` is where the chunk begins in the file, None for the file itself. ``cut`` says that it is known already
+    that the end is missing.
+    """
+
+    file: BinaryIO
+    size: int
+    chunk: Optional[int] = None
+    cut: bool = False
+
+
 class ChunkWalk:
-    """Walks over the records of a bag from its first byte, and never asks for an index.
+    """Walks over the records of a bag from its first byte, and needs no index.
 
     Iterating yields the messages in the order of the file, as far as whole records stand, also those of a chunk whose
-    end is missing. What cannot be read is said in ``faults``, and the walk goes on with the next chunk where one can
-    be found. Equal connections are the same object.
+    end is missing. What cannot be read is said in ``faults``, and the walk goes on with the next record that can be
+    found. Equal connections are the same object. A connection whose description is lost is taken from the index, if
+    that still stands. Memory is held for one chunk and for the connections.
 
     Args:
         path: of the bag, or of its ``.active`` file.
 
     Attributes:
-        faults: what could not be read, in the order of the file, so far.
+        all_faults: what could not be read so far, with sums.
+        compression: of the first chunk so far; None if there was none.
+        position: how far the walk has come in the file [bytes].
+        size: of the file when the walk began [bytes].
 
     Raises:
         TransportError: the file cannot be read or is no ROS 1 bag.
@@ -44,123 +70,184 @@ class ChunkWalk:
 
     def __init__(self, path: Path) -> None:
         self.path = Path(path)
-        self.faults: List[str] = []
-        self._connections: Dict[int, Connection] = {}
-        self._equal: Dict[Connection, Connection] = {}
         with self._opened():
             pass
+        self._forget()
+
+    @property
+    def faults(self) -> List[BagFault]:
+        """Give what could not be read so far, in the order it was found."""
+        return self.all_faults.told
 
     def __iter__(self) -> Iterator[Stamped]:
-        self.faults.clear()
-        self._connections.clear()
+        self._forget()
         with self._opened() as file:
-            size = self.path.stat().st_size
-            position = len(MAGIC)
-            while position < size:
-                try:
-                    header, begin, end = _head(file, position, size)
-                    data = self._inner(file, position, header, begin, min(end, size))
-                except (EOFError, RuntimeError, OSError, ValueError) as error:
-                    self.faults.append(f"byte {position}: {error}")
-                    return
-                if end > size:
-                    self.faults.append(f"byte {position}: the file ends {end - size} bytes before this record does")
-                yield from self._messages(position, data, whole=end <= size)
-                position = end
+            self.size = file.seek(0, io.SEEK_END)
+            try:
+                self._index_position = self._index_begins(file)
+                self._connections.read_index(file, self._index_position, self.size)
+                for record in self._records(_Stretch(file, self.size), len(MAGIC)):
+                    self.position = record.position
+                    if record.op != OP_CHUNK:
+                        yield from self._message(_Stretch(file, self.size), record)
+                    else:
+                        yield from self._chunk(file, record)
+            except OSError as error:
+                # A disk that fails tells no more than this; what was read before stands.
+                self._tell(None, self.position, f"the file cannot be read further: {error}", self.size - self.position)
+            self.position = self.size
+            self._judge_end()
+
+    def _forget(self) -> None:
+        self.all_faults = BagFaults()
+        self.compression: Optional[Compression] = None
+        self.position = self.size = 0
+        self._connections: ConnectionTable = ConnectionTable()
+        self._index_position = 0
+        self._indexed = False
 
     def _opened(self) -> BinaryIO:
         try:
             file = self.path.open("rb")
+            magic = file.read(len(MAGIC))
         except OSError as error:
             raise TransportError(f"{self.path}: cannot be read: {error}") from error
-        magic = file.read(len(MAGIC))
         if magic != MAGIC:
             file.close()
             raise TransportError(f"{self.path}: begins with {magic!r}; a ROS 1 bag begins with {MAGIC!r}")
         return file
 
-    def _inner(self, file: BinaryIO, position: int, header: Mapping[str, bytes], begin: int, end: int) -> bytes:
-        """Read a record's data, if it is a chunk's: decompressed, as far as that can be done."""
-        if header.get("op") != OP_CHUNK:
-            return b""
-        try:
-            compression = Compression(header["compression"].decode("ascii", "replace"))
-            size = _u32(header["size"])[0]
-        except (LookupError, ValueError, struct.error) as error:
-            self.faults.append(f"byte {position}: a chunk without a known compression and size: {_words(error)}")
-            return b""
-        if size > _LARGEST_CHUNK:
-            self.faults.append(f"byte {position}: a chunk claims {size} bytes; at most {_LARGEST_CHUNK} are believed")
-            return b""
-        file.seek(begin)
-        try:
-            data = decompress(compression, file.read(end - begin), size)
-        except (EOFError, RuntimeError, OSError, ValueError) as error:
-            self.faults.append(f"byte {position}: a chunk cannot be decompressed: {error}")
-            return b""
-        return data
+    def _tell(
+        self, chunk: Optional[int], position: int, reason: str, lost: int, *, missing: int = 0, joined: bool = False
+    ) -> None:
+        """Tell a fault at a place of the file, or of the content of the chunk that begins there."""
+        if chunk is not None:
+            position, reason = chunk, f"a chunk is damaged at its byte {position}: {reason}"
+        self.all_faults.tell(BagFault(position, reason, lost, missing), joined=joined and chunk is None)
 
-    def _messages(self, chunk: int, data: bytes, whole: bool) -> Iterator[Stamped]:
-        position, size = 0, len(data)
+    def _records(self, stretch: _Stretch, position: int) -> Iterator[Record]:
+        """Yield the records that prove themselves; of those whose length does not, the compressed chunks."""
+        file, size = stretch.file, stretch.size
+        content_end = -1
         while position < size:
-            message = None
             try:
-                header, begin, end = _record(data, position)
-                if end > size:
-                    raise EOFError("it ends before a record does")
-                if header.get("op") == OP_MESSAGE:
-                    seconds, nanoseconds = _two(header["time"])
-                    connection = self._connections[_u32(header["conn"])[0]]
-                    message = Stamped(connection, seconds * 1_000_000_000 + nanoseconds, data[begin:end])
-                elif header.get("op") == OP_CONNECTION:
-                    self._describe(header, data[begin:end])
-            except (EOFError, LookupError, ValueError, struct.error) as error:
-                if whole or not isinstance(error, EOFError):
-                    self.faults.append(f"byte {chunk}: a chunk is damaged at its byte {position}: {_words(error)}")
+                record = read_record(file, position, size)
+            except (EOFError, ValueError) as error:
+                end = find_record(file, position + 1, size) or size
+                self._tell_gap(stretch, position, end, error, content_end)
+                position = end
+                continue
+            if record.next != record.end:
+                content_end = record.end
+            elif (record.end != content_end or content_end > size) and not follows(file, record.end, size):
+                compressed = record.op == OP_CHUNK
+                end = find_record(file, record.begin, size, chunks_only=compressed) or size
+                self._tell_length(stretch, record, end)
+                if compressed:
+                    yield record._replace(end=end)
+                position = end
+                continue
+            yield record
+            position = record.next
+
+    def _tell_gap(self, stretch: _Stretch, position: int, end: int, error: Exception, content_end: int) -> None:
+        """Tell that no record begins at a place, up to the next one or the end."""
+        missing = content_end - stretch.size
+        if end == stretch.size and isinstance(error, EOFError):
+            if stretch.cut:
                 return
-            if message is not None:
-                yield message
-            position = end
+            if stretch.chunk is None and missing > 0:
+                reason = f"the file ends {missing} bytes before the chunk of this record does"
+                self._tell(None, position, reason, end - position, missing=missing)
+                return
+        self._tell(stretch.chunk, position, str(error), end - position, joined=True)
 
-    def _describe(self, header: Mapping[str, bytes], data: bytes) -> None:
-        texts = {name: value.decode("utf-8", "replace") for name, value in parse_pairs(data).items()}
-        connection = Connection(
-            topic=header["topic"].decode("utf-8", "replace"),
-            type=texts["type"],
-            md5=texts["md5sum"],
-            definition=texts["message_definition"],
-            caller=texts.get("callerid", ""),
-            latched=texts.get("latching") == "1",
-        )
-        self._connections[_u32(header["conn"])[0]] = self._equal.setdefault(connection, connection)
+    def _tell_length(self, stretch: _Stretch, record: Record, end: int) -> None:
+        """Tell that a record does not end where it says; the next one, or nothing, stands at another place."""
+        position, compressed = record.position, record.op == OP_CHUNK
+        missing = record.end - stretch.size
+        if end == stretch.size and missing > 0:
+            if stretch.cut:
+                return
+            reason = f"{'the file' if stretch.chunk is None else 'it'} ends {missing} bytes before this record does"
+            self._tell(stretch.chunk, position, reason, 0 if compressed else end - position, missing=missing)
+            return
+        lost = max(0, end - record.end) if compressed else end - position
+        reason = "no record follows where this one ends by its length"
+        self._tell(stretch.chunk, position, reason, lost, joined=not compressed)
 
+    def _chunk(self, file: BinaryIO, record: Record) -> Iterator[Stamped]:
+        position, length = record.position, record.end - record.begin
+        word, size = record.header["compression"].decode("ascii", "replace"), _u32(record.header["size"])[0]
+        try:
+            compression = Compression(word)
+        except ValueError:
+            known = ", ".join(each.value for each in Compression)
+            self._tell(None, position, f"a chunk is compressed by {word!r}; there are {known}", length)
+            return
+        self.compression = self.compression or compression
+        if compression is Compression.NONE:
+            return
+        if max(size, length) > LARGEST_RECORD:
+            reason = f"a chunk claims {max(size, length)} bytes; at most {LARGEST_RECORD} are believed"
+            self._tell(None, position, reason, length)
+            return
+        try:
+            file.seek(record.begin)
+            data = decompress(compression, file.read(length), size)
+        except (EOFError, RuntimeError, OSError, ValueError, MemoryError) as error:
+            self._tell(None, position, f"a chunk cannot be decompressed: {error}", length)
+            return
+        cut = len(data) < size
+        if cut and (not self.faults or self.faults[-1].position != position):
+            self._tell(None, position, f"a chunk unpacks to {len(data)} of {size} bytes", 0, missing=size - len(data))
+        stretch = _Stretch(io.BytesIO(data), len(data), position, cut)
+        for inner in self._records(stretch, 0):
+            yield from self._message(stretch, inner)
 
-def _head(file: BinaryIO, position: int, size: int) -> Tuple[Dict[str, bytes], int, int]:
-    """Read the header of a record of the file; say where its data begins and ends."""
-    file.seek(position)
-    length = _length(file.read(4), 0)
-    if position + 8 + length > size:
-        raise EOFError(_CUT)
-    if length > _LONGEST_HEADER:
-        raise ValueError(f"a record claims a header of {length} bytes; at most {_LONGEST_HEADER} are believed")
-    header = parse_pairs(file.read(length))
-    begin = position + 8 + length
-    return header, begin, begin + _length(file.read(4), 0)
+    def _message(self, stretch: _Stretch, record: Record) -> Iterator[Stamped]:
+        """Yield the message that a record is; take in the connection that it describes."""
+        length = record.end - record.begin
+        if record.op not in (OP_MESSAGE, OP_CONNECTION):
+            self._indexed = self._indexed or record.op == OP_CHUNK_INFO
+            return
+        try:
+            if length > LARGEST_RECORD:
+                raise ValueError(f"a record claims {length} bytes; at most {LARGEST_RECORD} are believed")
+            stretch.file.seek(record.begin)
+            data = stretch.file.read(length)
+            if record.op == OP_CONNECTION:
+                self._connections.describe(record.header, data)
+                return
+            seconds, nanoseconds = _two(record.header["time"])
+            if nanoseconds >= 1_000_000_000:
+                raise ValueError(f"a message is stamped with {nanoseconds} nanoseconds; below 1000000000 are accepted")
+        except (LookupError, ValueError) as error:
+            self._tell(stretch.chunk, record.position, _words(error), record.end - record.position)
+            return
+        number = _u32(record.header["conn"])[0]
+        connection = self._connections.find(number)
+        if connection is None:
+            position = record.position if stretch.chunk is None else stretch.chunk
+            reason = f"messages of connection {number}, which nothing describes"
+            self.all_faults.tell(BagFault(position, reason, record.end - record.position), once=True)
+            return
+        yield Stamped(connection, seconds * 1_000_000_000 + nanoseconds, data)
 
+    def _index_begins(self, file: BinaryIO) -> int:
+        """Read from the file's header where the index begins; 0 if there is none, or no header."""
+        try:
+            record = read_record(file, len(MAGIC), self.size)
+        except (EOFError, ValueError):
+            return 0
+        return int(_u64(record.header["index_pos"])[0]) if record.op == OP_FILE_HEADER else 0
 
-def _record(data: bytes, position: int) -> Tuple[Dict[str, bytes], int, int]:
-    """Read the header of a record of a chunk; say where its data begins and ends."""
-    end = position + 4 + _length(data, position)
-    begin = end + 4
-    length = _length(data, end)
-    return parse_pairs(data[position + 4 : end]), begin, begin + length
-
-
-def _length(data: bytes, position: int) -> int:
-    if position + 4 > len(data):
-        raise EOFError(_CUT)
-    length: int = _u32(data, position)[0]
-    return length
+    def _judge_end(self) -> None:
+        """Tell how much is missing by what the file's header says of the index, if that tells more."""
+        missing = self._index_position - self.size
+        if missing > self.all_faults.missing and not self._indexed:
+            reason = f"the file ends {missing} bytes before its index begins"
+            self._tell(None, self.size, reason, 0, missing=missing - self.all_faults.missing)
 
 
 def _words(error: Exception) -> str:
