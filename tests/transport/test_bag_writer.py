@@ -140,6 +140,25 @@ def test_a_bag_that_may_be_replaced_stays_until_the_new_one_is_complete(tmp_path
     assert [entry.name for entry in tmp_path.iterdir()] == ["mission.bag"]
 
 
+def test_a_bag_that_is_given_up_leaves_nothing_and_what_it_was_to_replace(tmp_path: Path) -> None:
+    (tmp_path / "m.bag").write_bytes(b"old")
+    with BagWriter(tmp_path / "m.bag", replace=True) as writer:
+        for stamped in mission(50):
+            writer.write(stamped)
+        writer.discard()
+    assert names(tmp_path) == ["m.bag"]
+    assert (tmp_path / "m.bag").read_bytes() == b"old"
+    with pytest.raises(TransportError, match="is closed"):
+        writer.write(mission(1)[0])
+
+
+def test_giving_up_a_complete_bag_leaves_it(tmp_path: Path) -> None:
+    with BagWriter(tmp_path / "m.bag") as writer:
+        writer.write(mission(1)[0])
+    writer.discard()
+    assert list(read_bag(tmp_path / "m.bag")) == mission(1)[:1]
+
+
 def test_an_existing_bag_is_never_overwritten(tmp_path: Path) -> None:
     (tmp_path / "m.bag").write_bytes(b"precious")
     with pytest.raises(TransportError, match=r"m\.bag: exists already; choose another name or remove it"):

@@ -91,7 +91,7 @@ class BagWriter:
         # Sources hand in the same Connection object again and again: its identity is found faster than its value.
         self._by_identity: Dict[int, Target] = {}
         self._written: List[_Written] = [_Written(b"", FILE_HEADER_END, 0)]
-        self._closed = False
+        self._closed = self._complete = False
         try:
             if replace and self.active_path.exists():
                 self.active_path.unlink()
@@ -175,12 +175,25 @@ class BagWriter:
             self._put(0, MAGIC + file_header(position, len(connections), len(infos) - 1))
             self._file.close()
             self.active_path.replace(self.path)
+            self._complete = True
         except (TransportError, OSError) as error:
             self._let_go()
             raise TransportError(
                 f"{self.active_path}: cannot be completed: {error.__cause__ or error}; "
                 "save what it holds with 'mrta salvage'"
             ) from error
+
+    def discard(self) -> None:
+        """Give the bag up: nothing of it stays, and what it was to replace stands. A complete bag is left alone."""
+        if self._complete:
+            return
+        self._closed = True
+        self._until_ns = self._since_ns
+        self._pending.clear()
+        self._let_go()
+        with suppress(OSError):
+            self.active_path.unlink()
+        self._complete = True
 
     def __enter__(self) -> BagWriter:
         return self
