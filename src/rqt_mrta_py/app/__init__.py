@@ -2,7 +2,7 @@
 
 * ``compose``: registry, plugins, codec: the one place that wires; ``loading``: what it wires
 * ``observation``: supervisor, scene, panels and observers on one stream
-* ``run``: a simulated run; ``review_bag``: a recorded one
+* ``run``: a simulated run; ``review_bag``: a recorded one; ``salvage_bag``: what is left of one
 * ``outputs``: what both leave
 * ``mission_message``: a mission as the first message of its bag
 * ``guard``, ``observers``: plugins' parts, told by name when they fail; ``interrupt``: Ctrl-C

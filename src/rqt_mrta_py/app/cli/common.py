@@ -126,17 +126,24 @@ def finish(result: MissionResult, options: argparse.Namespace, schema: str) -> i
 
 
 class ProgressLine:
-    """A progress bar on a terminal, nothing away from one."""
+    """A progress bar on a terminal, nothing away from one.
 
-    def __init__(self, title: str, quiet: int) -> None:
+    Args:
+        title: what is worked on.
+        quiet: above 0 for nothing on a terminal either.
+        unit: of what is counted.
+    """
+
+    def __init__(self, title: str, quiet: int, unit: str = "s") -> None:
         self._shown = sys.stderr.isatty() and not quiet
         self._title = title
+        self._unit = unit
         self._next = 0.0
         self._bar: Optional[Any] = None
         self._task: Any = None
 
     def __call__(self, passed: float, planned: float) -> None:
-        """Show how much time has passed of the planned [s], ten times a second at the most."""
+        """Show how much has passed of the planned, ten times a second at the most."""
         if not self._shown:
             return
         now = time.monotonic()
@@ -165,7 +172,7 @@ class ProgressLine:
         columns = (
             TextColumn(self._title),
             BarColumn(),
-            TextColumn("{task.completed:.0f} of {task.total:.0f} s"),
+            TextColumn("{task.completed:.0f} of {task.total:.0f} " + self._unit),
             TimeElapsedColumn(),
         )
         self._bar = Progress(*columns, console=Console(stderr=True), transient=True)

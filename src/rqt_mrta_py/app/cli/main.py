@@ -15,7 +15,7 @@ from rqt_mrta_py.errors import MrtaError
 
 __all__ = ["main"]
 
-VERBS = ("list", "show", "run", "review", "bench")
+VERBS = ("list", "show", "run", "review", "salvage", "bench")
 
 _DESCRIPTION = "Supervise teams of robots that share out tasks among themselves (multi-robot task allocation)."
 _EPILOG = "Exit status: 0 done, 1 judged bad, 2 wrong usage, 3 bad input, 4 something is missing here, 130 interrupted."
