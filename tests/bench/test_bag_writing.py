@@ -2,7 +2,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from bench.bag_writing import measure_bag_writing
+import pytest
+
+from bench.bag_writing import main, measure_bag_writing
 
 
 def test_both_writers_are_measured_with_every_compression_and_leave_nothing(tmp_path: Path) -> None:
@@ -14,3 +16,14 @@ def test_both_writers_are_measured_with_every_compression_and_leave_nothing(tmp_
     ]
     assert all(row.ours > 0 and row.stock > 0 for row in rows)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_table_compares_both_writers_by_their_ratio(capsys: pytest.CaptureFixture[str]) -> None:
+    main(["--connections", "5", "--messages", "200"])
+    title, head, *rows = capsys.readouterr().out.splitlines()
+    assert title == "Messages a second of CPU time: 200 messages of 5 connections"
+    assert head.split() == ["compression", "BagWriter", "rosbags", "ratio"]
+    assert [row.split()[0] for row in rows] == ["none", "bz2", "lz4"]
+    for row in rows:
+        ours, stock, ratio = map(float, row.split()[1:])
+        assert ratio == pytest.approx(ours / stock, abs=0.02)
