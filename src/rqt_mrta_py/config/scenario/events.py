@@ -8,7 +8,7 @@ from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.scenario.event_form import EVENT
 from rqt_mrta_py.config.scenario.event_order import find_misfits
 from rqt_mrta_py.config.yaml.plain_values import read_plain
-from rqt_mrta_py.config.yaml.schema import Row
+from rqt_mrta_py.config.yaml.rows import Row
 from rqt_mrta_py.model import ScenarioEvent, ScenarioEventKind, ScenarioSpec, normalise_id
 
 __all__ = ["event_problems", "read_events"]

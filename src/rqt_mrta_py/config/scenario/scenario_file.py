@@ -8,7 +8,7 @@ from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.scenario.events import read_events
 from rqt_mrta_py.config.scenario.form import SCENARIO_FILE
 from rqt_mrta_py.config.yaml.places import PLACE, pose_of
-from rqt_mrta_py.config.yaml.schema import Row, read_document
+from rqt_mrta_py.config.yaml.rows import Row, read_document
 from rqt_mrta_py.config.yaml.text import parse_yaml
 from rqt_mrta_py.model import (
     Arena,

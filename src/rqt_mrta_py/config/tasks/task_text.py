@@ -7,7 +7,8 @@ from typing import Any, Dict, Optional, Union
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.yaml.dump import dump_yaml
 from rqt_mrta_py.config.yaml.places import PLACE, pose_of
-from rqt_mrta_py.config.yaml.schema import Key, Row, Table, ValueType, read_document
+from rqt_mrta_py.config.yaml.rows import Row, read_document
+from rqt_mrta_py.config.yaml.schema import Key, Table, ValueType
 from rqt_mrta_py.config.yaml.text import parse_yaml
 from rqt_mrta_py.model import Pose, Task, normalise_id
 from rqt_mrta_py.wording import shown

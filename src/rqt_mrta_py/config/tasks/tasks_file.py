@@ -6,7 +6,8 @@ from typing import Dict, List, Mapping, Tuple, Union
 
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.tasks.task_text import TASK, check_id, id_of, task_of
-from rqt_mrta_py.config.yaml.schema import Key, Row, Table, ValueType, read_document
+from rqt_mrta_py.config.yaml.rows import Row, read_document
+from rqt_mrta_py.config.yaml.schema import Key, Table, ValueType
 from rqt_mrta_py.config.yaml.text import parse_yaml
 from rqt_mrta_py.model import Task, normalise_id
 from rqt_mrta_py.wording import accepted

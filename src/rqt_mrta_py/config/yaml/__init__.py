@@ -1,7 +1,7 @@
 """YAML files by tables.
 
 * ``text``: YAML text to values that know their line
-* ``schema``: tables, and what a mapping says by its table
+* ``schema``: tables; ``rows``: what a mapping says by its table
 * ``places``: a table that several files share
 * ``plain_values``: the same tables for values that no file holds
 * ``dump``: plain values to text

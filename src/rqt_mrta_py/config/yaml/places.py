@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Optional
 
-from rqt_mrta_py.config.yaml.schema import Key, Row, Table, ValueType
+from rqt_mrta_py.config.yaml.rows import Row
+from rqt_mrta_py.config.yaml.schema import Key, Table, ValueType
 from rqt_mrta_py.model import Pose
 
 __all__ = ["PLACE", "pose_of"]

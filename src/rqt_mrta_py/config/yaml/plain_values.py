@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any, Mapping, Tuple
 
 from rqt_mrta_py.config.problems import Problems
-from rqt_mrta_py.config.yaml.schema import Row, Table, read_table
+from rqt_mrta_py.config.yaml.rows import Row, read_table
+from rqt_mrta_py.config.yaml.schema import Table
 from rqt_mrta_py.config.yaml.text import YamlNode
 from rqt_mrta_py.errors import Problem
 
