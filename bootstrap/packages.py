@@ -46,6 +46,8 @@ def provide(checkout: Path, level: str) -> None:
     """
     shell.say("installing Python packages; the first time this takes a minute or two")
     _pip(checkout, ["--editable", f".[{EXTRAS[level]}]"])
+    # rosrun looks for a program anywhere below its package, and would ask which one is meant: this or scripts/mrta.
+    environment.python_of(checkout).with_name("mrta").unlink(missing_ok=True)
     mended: List[str] = []
     while True:
         _put_own_toolkits_first(checkout)

@@ -24,6 +24,13 @@ class Miniature:
         for command in ("run", "test"):
             shutil.copy(ROOT / command, folder / command)
         (folder / "setup.py").write_text("# dependencies\n", encoding="utf-8")
+        (folder / "scripts").mkdir()
+        (folder / "scripts" / "mrta").write_text(
+            "import os, sys\n"
+            "print(os.getcwd(), *(f'<{word}>' for word in sys.argv[1:]), sep='\\n')\n"
+            "sys.exit(int(os.environ.get('MRTA_TEST_EXIT', 0)))\n",
+            encoding="utf-8",
+        )
         self.fake_set_up("echo settled")
 
     def fake_set_up(self, script: str) -> None:
@@ -35,10 +42,6 @@ class Miniature:
             "python = root / '.venv/bin/python'\n"
             "python.is_symlink() and python.unlink()\n"
             "python.symlink_to('/usr/bin/python3')\n"
-            "mrta = root / '.venv/bin/mrta'\n"
-            "mrta.write_text('#!/bin/sh\\npwd\\nfor word; do echo \"<$word>\"; done\\n'\n"
-            "    'exit ${MRTA_TEST_EXIT:-0}\\n')\n"
-            "mrta.chmod(0o755)\n"
             "with (root / 'calls.txt').open('a') as calls:\n"
             "    print(*sys.argv[1:], file=calls)\n"
             f"sys.exit(subprocess.call(['sh', '-c', {script!r}], cwd=root))\n",

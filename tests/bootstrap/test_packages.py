@@ -40,6 +40,15 @@ def test_what_does_not_import_is_installed_afresh_within_its_bounds(checkout: Pa
     assert pip_calls(checkout) == ["--editable .[all]", "--ignore-installed opencv-python-headless<6,>=4.6"]
 
 
+def test_rosrun_finds_one_mrta_in_a_checkout(checkout: Path) -> None:
+    """It searches the whole package, .venv included, and asks which one is meant when there are two."""
+    python = checkout / ".venv/bin/python"
+    pips_way = '*--editable*) cp "$0" "${0%python}mrta";;\n*--ignore-installed*)'
+    python.write_text(python.read_text(encoding="utf-8").replace("*--ignore-installed*)", pips_way), encoding="utf-8")
+    packages.provide(checkout, "run")
+    assert [path.name for path in (checkout / ".venv/bin").iterdir()] == ["python"]
+
+
 def test_what_does_not_import_even_afresh_is_told(checkout: Path) -> None:
     python = checkout / ".venv/bin/python"
     python.write_text(python.read_text(encoding="utf-8").replace("touch mended", ":"), encoding="utf-8")
