@@ -1,13 +1,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Dict, List, Optional, Tuple
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rqt_mrta_py.hooks import Heard, RobotModel
+from rqt_mrta_py.hooks import Heard, RobotModel, ScenarioLabel
 from rqt_mrta_py.model import (
     ApplicationRobot,
     ApplicationSpec,
@@ -18,6 +19,7 @@ from rqt_mrta_py.model import (
     Pose,
     RobotSetup,
     ScenarioSpec,
+    SensorSetup,
     Task,
     Taxonomy,
 )
@@ -76,8 +78,113 @@ def test_scene_knows_no_arena_on_hardware() -> None:
 
 
 def test_scene_asks_for_every_robots_pose() -> None:
-    (subscription,) = tracker().subscriptions()
+    subscription = tracker().subscriptions()[0]
     assert (subscription.topic, subscription.type) == ("/@robot_id@/pose", "geometry_msgs/PoseStamped")
+
+
+def test_scene_asks_for_transforms_unless_every_simulated_robot_tells_its_pose() -> None:
+    localised = SensorSetup("localiser", "pose", 10.0)
+    setups = tuple(RobotSetup(robot, "wide", Pose(0, 0), (localised,)) for robot in ("robot1", "robot2"))
+    told = replace(mission(), scenario=ScenarioSpec(ARENA, (), setups))
+    half = replace(mission(), scenario=ScenarioSpec(ARENA, (), (setups[0], replace(setups[1], sensors=()))))
+    for each, expected in ((told, []), (half, ["/tf", "/tf_static"]), (mission(False), ["/tf", "/tf_static"])):
+        topics = [subscription.topic for subscription in SceneTracker(each, {}).subscriptions()]
+        assert [topic for topic in topics if topic.startswith("/tf")] == expected
+
+
+def transforms(time: float, *edges: Tuple[str, str, Pose]) -> Heard:
+    fields = [
+        {
+            "header": {"frame_id": parent},
+            "child_frame_id": child,
+            "transform": {
+                "translation": {"x": step.x, "y": step.y, "z": 0.0},
+                "rotation": {"x": 0.0, "y": 0.0, "z": math.sin(step.yaw / 2.0), "w": math.cos(step.yaw / 2.0)},
+            },
+        }
+        for parent, child, step in edges
+    ]
+    return Heard("/tf", "tf2_msgs/TFMessage", time, {"transforms": fields})
+
+
+def test_scene_places_a_robot_by_its_transforms_until_it_tells_a_pose() -> None:
+    scene = tracker()
+    scene.hear(transforms(1.0, ("robot1/odom", "robot1/base_link", Pose(1.0, 0.0))))
+    assert scene.view(1.0).robots[0].pose is None
+    # Turned by a quarter at (2, 1): one metre ahead is one metre up.
+    scene.hear(transforms(1.1, ("map", "/robot1/odom", Pose(2.0, 1.0, math.pi / 2))))
+    scene.hear(transforms(1.2, ("/robot1/odom", "/robot1/base_link", Pose(1.0, 0.0))))
+    assert scene.view(1.2).robots[0].pose == Pose(pytest.approx(2.0), pytest.approx(2.0), pytest.approx(math.pi / 2))
+    scene.hear(pose("robot1", 1.3, 0.5, 0.5))
+    scene.hear(transforms(1.4, ("robot1/odom", "robot1/base_link", Pose(3.0, 0.0))))
+    assert scene.view(1.4).robots[0].pose == Pose(0.5, 0.5, 0.0)
+
+
+def test_scene_passes_over_transforms_that_lead_nowhere() -> None:
+    scene = tracker()
+    scene.hear(transforms(1.0, ("a", "b", Pose(0, 0)), ("b", "a", Pose(0, 0)), ("a", "robot1/base_link", Pose(1, 1))))
+    scene.hear(transforms(1.1, ("map", "base_link", Pose(1, 1)), ("map", "robot2/base_link", Pose(math.nan, 0))))
+    assert [robot.pose for robot in scene.view(1.1).robots] == [None, None]
+
+
+def test_scene_gives_a_nameless_base_to_the_only_robot() -> None:
+    alone = mission(False)
+    alone = replace(alone, application=replace(alone.application, robots=alone.application.robots[:1]))
+    scene = SceneTracker(alone, {})
+    scene.hear(transforms(1.0, ("map", "odom", Pose(1, 1)), ("odom", "base_footprint", Pose(0.5, 0))))
+    assert [(robot.id, robot.pose) for robot in scene.view(1.0).robots] == [("robot1", Pose(1.5, 1.0, 0.0))]
+
+
+def progress(task: str, code: int, text: str = "") -> Heard:
+    fields = {"task_id": task, "progress": code, "task_yaml": text}
+    return Heard("/mrta/task_progress", "rqt_mrta_py/TaskProgress", 1.0, fields)
+
+
+APPEARED, WITHDRAWN = 4, 5
+
+
+def test_scene_shows_tasks_from_when_they_appear_until_they_are_withdrawn() -> None:
+    later = Task("sweep", "sweep", Pose(-1.0, 0.5))
+    scene = SceneTracker(replace(mission(), later_tasks=(later,)), {})
+    assert scene.view(1.0).tasks == (TASK,)
+    scene.hear(progress("sweep", APPEARED))
+    assert scene.view(1.0).tasks == (TASK, later)
+    scene.hear(progress("mop", APPEARED, "{id: mop, kind: sweep, place: {x: 1.5, y: -0.5}}"))
+    assert [(task.id, task.place) for task in scene.view(1.0).tasks[2:]] == [("mop", Pose(1.5, -0.5))]
+    scene.hear(progress("report", WITHDRAWN))
+    scene.hear(progress("sweep", WITHDRAWN))
+    assert [task.id for task in scene.view(1.0).tasks] == ["mop"]
+    scene.hear(progress("/report", APPEARED))
+    assert [task.id for task in scene.view(1.0).tasks] == ["mop", "report"]
+
+
+@pytest.mark.parametrize(
+    "text", ["", "{", "id: other\nkind: sweep", "[1, 2]", "id: mop", "\x00", "&a [*a]", "place: {x: nan}"]
+)
+def test_scene_passes_over_tasks_that_make_no_sense(text: str) -> None:
+    scene = tracker()
+    scene.hear(progress("mop", APPEARED, text))
+    scene.hear(progress("mop", 250, text))
+    assert scene.view(1.0).tasks == (TASK,)
+
+
+def test_scene_tells_what_the_scenario_made_happen() -> None:
+    scene = tracker()
+    fields = {"kind": "robot_stops", "robot_id": "/robot1", "task_id": "", "parameters_yaml": "", "text": "It stops."}
+    scene.hear(Heard("/mrta/scenario_event", "rqt_mrta_py/ScenarioEvent", 61.0, fields))
+    assert scene.view(62.0).labels == (ScenarioLabel(61.0, "robot_stops", "It stops.", "robot1"),)
+
+
+def test_scene_bounds_trails_and_paths_of_a_large_team_together() -> None:
+    robots = tuple(ApplicationRobot(f"robot{number}") for number in range(1000))
+    team = replace(mission(False), application=ApplicationSpec("app", "App", robots=robots))
+    scene = SceneTracker(team, {})
+    for step in range(2000):
+        scene.hear(pose("robot7", 0.02 * step, 0.5 * step, 0.0))
+    trail = scene.view(40.0).robots[7].trail
+    assert 2 <= len(trail) <= 6
+    assert trail[-1] == (0.02 * 1999, 0.5 * 1999, 0.0)
+    assert len(scene.view(40.0, whole=True).robots[7].trail) <= 401
 
 
 @pytest.mark.parametrize("yaw", [0.0, 0.3, math.pi / 2, -2.5])

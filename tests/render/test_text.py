@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rqt_mrta_py.render.text import Style, fit, halo_patch, mask, patch, shorten, text_width, wrap
+from rqt_mrta_py.render.text import Style, fit, halo_patch, mask, patch, printable, shorten, text_width, wrap
 
 STYLE = Style(13)
 NAMES = st.text(st.characters(min_codepoint=33, max_codepoint=126), min_size=1, max_size=60)
@@ -80,3 +80,22 @@ def test_halo_patch_neither_overflows_nor_changes_what_is_far_from_words(ground:
     assert laid.max() < 65536
     corner = int(laid[0, -1, 0]) >> 8
     assert corner == ground
+
+
+def test_printable_makes_one_short_line_of_anything() -> None:
+    assert printable("robot 1 → done ✓") == "robot 1 → done ✓"
+    assert printable("a\nb\tc\x00d\ud800e\u202ef") == "a b c\ufffdd\ufffde\ufffdf"
+    assert printable("x" * 5000 + "y", 11) == "xxxxx…xxxxy"
+
+
+@given(st.text(max_size=40), st.integers(0, 200))
+def test_words_are_never_wider_than_their_room(text: str, room: int) -> None:
+    for words in (fit(text, STYLE, room), shorten(text, STYLE, room)):
+        assert not words or text_width(words, STYLE) <= room
+
+
+def test_names_of_a_million_characters_are_measured_and_drawn() -> None:
+    name = "robot\n\x07" * 150_000
+    assert 0 < text_width(shorten(name, STYLE, 100.0), STYLE) <= 100
+    assert len(wrap(name, STYLE, 200.0, 3)) <= 3
+    assert patch(name, STYLE, (0, 0, 0), (255, 255, 255))[0].shape[1] < 8000

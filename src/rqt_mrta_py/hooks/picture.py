@@ -124,6 +124,7 @@ class ScenarioLabel:
         kind: as in scenarios, for instance ``robot_stops``.
         text: one sentence.
         robot, task: ids it speaks of; empty if none.
+        over: True if it sets right what an earlier label told of.
     """
 
     time: float
@@ -131,6 +132,7 @@ class ScenarioLabel:
     text: str
     robot: str = ""
     task: str = ""
+    over: bool = False
 
 
 @dataclass(frozen=True)

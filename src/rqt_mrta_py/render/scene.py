@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Dict, Mapping, Optional, Sequence
+from typing import Callable, Dict, List, Mapping, Optional, Sequence
 
+from rqt_mrta_py.config import read_task
+from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.hooks import Heard, RobotModel, RobotSight, SceneView, Subscription
-from rqt_mrta_py.model import Mission, Pose, normalise_id
+from rqt_mrta_py.model import Mission, Pose, Progress, Task, normalise_id
+from rqt_mrta_py.render.frames import FrameTree
+from rqt_mrta_py.render.happenings import LabelKeeper
 from rqt_mrta_py.render.path import PathKeeper
 
 __all__ = ["DEFAULT_RADIUS", "SceneTracker"]
@@ -14,22 +18,25 @@ __all__ = ["DEFAULT_RADIUS", "SceneTracker"]
 DEFAULT_RADIUS = 0.2
 """Radius drawn for a robot of unknown model [m]."""
 
-_FIELDS = (
-    "header/frame_id",
-    "pose/position/x",
-    "pose/position/y",
-    "pose/orientation/x",
-    "pose/orientation/y",
-    "pose/orientation/z",
-    "pose/orientation/w",
-)
+_FRAME, _X, _Y = "header/frame_id", "pose/position/x", "pose/position/y"
+_QX, _QY, _QZ, _QW = (f"pose/orientation/{axis}" for axis in "xyzw")
+_POSES = Subscription("/@robot_id@/pose", "geometry_msgs/PoseStamped", (_FRAME, _X, _Y, _QX, _QY, _QZ, _QW))
+_TRANSFORMS = tuple(Subscription(topic, "tf2_msgs/TFMessage", ("transforms",)) for topic in ("/tf", "/tf_static"))
+_PROGRESS = Subscription("/mrta/task_progress", "rqt_mrta_py/TaskProgress", ("task_id", "progress", "task_yaml"))
+# The constants of rqt_mrta_py/TaskProgress, each at the index of its value.
+_PROGRESS_BY_CODE = tuple(Progress)
+
+# Trails and paths of all robots together have about so many points at most; a trail has no fewer than the last.
+_TRAIL_POINTS, _PATH_POINTS, _FEWEST = 4000, 400_000, 5
+_SPACING, _FEW_ROBOTS = 0.05, 40
 
 
 class SceneTracker:
-    """Knows the arena, and from the stream's poses where each robot is and was; a Listener.
+    """Knows the arena, and from the stream where each robot is and was, which tasks there are, what was made happen.
 
-    Robots of the mission come first, in its order, then any other that tells its pose, by first sight. Poses in
-    another frame than ``map``, or not finite, are passed over.
+    A Listener. Robots of the mission come first, in its order, then any other that tells its pose, by first sight. A
+    robot that never tells a pose is placed by its transforms. Poses in another frame than ``map``, or not finite, are
+    passed over. The larger the team, the coarser trails and paths: their points are bounded for all robots together.
 
     Args:
         mission: whose scenario, if any, tells arena, obstacles and the robots' models.
@@ -39,34 +46,40 @@ class SceneTracker:
 
     def __init__(self, mission: Mission, models: Mapping[str, RobotModel], trail: float = 60.0) -> None:
         scenario = mission.scenario
+        robots = [robot.id for robot in mission.application.robots]
         self._arena = scenario.arena if scenario else None
         self._obstacles = scenario.obstacles if scenario else ()
-        self._tasks = mission.tasks
+        self._known_tasks = {task.id: task for task in (*mission.tasks, *mission.later_tasks)}
+        self._tasks: Dict[str, Task] = {task.id: task for task in mission.tasks}
         self._models = models
         self._model_of = {robot.id: robot.model for robot in scenario.robots} if scenario else {}
         self._trail = trail
-        self._poses: Dict[str, Optional[Pose]] = {robot.id: None for robot in mission.application.robots}
-        self._paths: Dict[str, PathKeeper] = {robot: PathKeeper(trail) for robot in self._poses}
+        self._team = max(len(robots), 1)
+        self._tracks: Dict[str, _Track] = {robot: self._new_track(robot) for robot in robots}
+        self._frames = FrameTree(robots[0] if len(robots) == 1 else None)
+        self._transforms_matter = scenario is None or not all(
+            any(normalise_id(sensor.topic) == "pose" for sensor in robot.sensors) for robot in scenario.robots
+        )
+        self._labels = LabelKeeper()
+        self._ears: Dict[str, Callable[[Heard], None]] = {
+            _POSES.type: self._hear_pose,
+            _TRANSFORMS[0].type: self._hear_transforms,
+            _PROGRESS.type: self._hear_progress,
+            LabelKeeper.SUBSCRIPTION.type: self._labels.hear,
+        }
 
     def subscriptions(self) -> Sequence[Subscription]:
-        """Ask for every robot's pose."""
-        return (Subscription("/@robot_id@/pose", "geometry_msgs/PoseStamped", _FIELDS),)
+        """Ask for poses, tasks' progress, scenario events; for transforms unless all simulated robots tell poses."""
+        transforms = _TRANSFORMS if self._transforms_matter else ()
+        return (_POSES, _PROGRESS, LabelKeeper.SUBSCRIPTION, *transforms)
 
     def hear(self, heard: Heard) -> None:
-        """Take in one pose.
+        """Take in one message.
 
         Args:
             heard: a message subscribed to.
         """
-        pose = _pose(heard.fields)
-        if pose is None:
-            return
-        robot = normalise_id(heard.robot)
-        path = self._paths.get(robot)
-        if path is None:
-            path = self._paths[robot] = PathKeeper(self._trail)
-        self._poses[robot] = pose
-        path.add(heard.receipt, pose.x, pose.y)
+        self._ears[heard.type](heard)
 
     def view(self, now: float, whole: bool = False) -> SceneView:
         """Give the scene at a moment.
@@ -75,19 +88,87 @@ class SceneTracker:
             now: the moment, not before the newest message heard [s].
             whole: give whole paths, thinned, rather than the trails of the last seconds.
         """
-        robots = tuple(
-            RobotSight(robot, self._poses[robot], self._radius(robot), path.whole() if whole else path.recent(now))
-            for robot, path in self._paths.items()
+        robots: List[RobotSight] = []
+        for robot, track in self._tracks.items():
+            trail = track.path.whole() if whole else track.path.recent(now)
+            robots.append(RobotSight(robot, track.pose(), track.radius, trail))
+        return SceneView(
+            self._arena, self._obstacles, tuple(robots), tuple(self._tasks.values()), self._labels.labels()
         )
-        return SceneView(self._arena, self._obstacles, robots, self._tasks)
 
-    def _radius(self, robot: str) -> float:
+    def _hear_pose(self, heard: Heard) -> None:
+        fields = heard.fields
+        frame, x, y = fields[_FRAME], fields[_X], fields[_Y]
+        qx, qy, qz, qw = turn = (fields[_QX], fields[_QY], fields[_QZ], fields[_QW])
+        # A sum is finite only if each of its parts is.
+        if frame not in {"map", "/map"} or not math.isfinite(x + y + qx + qy + qz + qw):
+            return
+        track = self._tracks.get(heard.robot) or self._track(heard.robot)
+        track.turn = turn
+        track.located = True
+        track.path.add(heard.receipt, x, y)
+
+    def _hear_transforms(self, heard: Heard) -> None:
+        for robot, pose in self._frames.take(heard.fields["transforms"]):
+            track = self._track(robot)
+            if not track.located:
+                track.turn = (0.0, 0.0, math.sin(pose.yaw / 2.0), math.cos(pose.yaw / 2.0))
+                track.path.add(heard.receipt, pose.x, pose.y)
+
+    def _hear_progress(self, heard: Heard) -> None:
+        code, task = heard.fields["progress"], normalise_id(heard.fields["task_id"])
+        progress = _PROGRESS_BY_CODE[code] if 0 <= code < len(_PROGRESS_BY_CODE) else None
+        if progress is Progress.WITHDRAWN:
+            self._tasks.pop(task, None)
+        elif progress is Progress.APPEARED:
+            definition = _definition(heard.fields["task_yaml"], task) or self._known_tasks.get(task)
+            if definition is not None and self._tasks.get(task) != definition:
+                self._tasks.pop(task, None)
+                self._tasks[task] = definition
+
+    def _track(self, robot: str) -> _Track:
+        robot = normalise_id(robot)
+        if robot not in self._tracks:
+            self._tracks[robot] = self._new_track(robot)
+        return self._tracks[robot]
+
+    def _new_track(self, robot: str) -> _Track:
+        team = self._team
+        path = PathKeeper(
+            self._trail,
+            spacing=_SPACING * max(1.0, math.sqrt(team / _FEW_ROBOTS)),
+            most=max(min(_TRAIL_POINTS // team, 400), _FEWEST),
+            longest=max(min(_PATH_POINTS // team, 4000), _FEWEST),
+        )
         model = self._models.get(self._model_of.get(robot, ""))
-        return DEFAULT_RADIUS if model is None else model.radius
+        return _Track(path, DEFAULT_RADIUS if model is None else model.radius)
 
 
-def _pose(fields: Mapping[str, Any]) -> Optional[Pose]:
-    frame, x, y, qx, qy, qz, qw = (fields[name] for name in _FIELDS)
-    if normalise_id(frame) != "map" or not math.isfinite(x + y + qx + qy + qz + qw):
+class _Track:
+    """One robot: its path, its newest orientation as x, y, z, w, whether it ever told a pose, its radius [m]."""
+
+    __slots__ = ("located", "path", "radius", "turn")
+
+    def __init__(self, path: PathKeeper, radius: float) -> None:
+        self.path = path
+        self.radius = radius
+        self.turn = (0.0, 0.0, 0.0, 1.0)
+        self.located = False
+
+    def pose(self) -> Optional[Pose]:
+        if self.path.newest is None:
+            return None
+        _, x, y = self.path.newest
+        qx, qy, qz, qw = self.turn
+        return Pose(x, y, math.atan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz)))
+
+
+def _definition(text: str, task: str) -> Optional[Task]:
+    """Read what a task is from a message, which anybody may have written; None if it makes no sense."""
+    if not text:
         return None
-    return Pose(x, y, math.atan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz)))
+    try:
+        definition = read_task(text, "task_yaml")
+    except ConfigError:
+        return None
+    return definition if definition.id == task else None

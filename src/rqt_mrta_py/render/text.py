@@ -20,9 +20,12 @@ from rqt_mrta_py.render.palette import Colour
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Style", "ascent", "fit", "halo_patch", "mask", "patch", "shorten", "text_width", "wrap"]
+__all__ = ["Style", "ascent", "fit", "halo_patch", "mask", "patch", "printable", "shorten", "text_width", "wrap"]
 
 _HALO = 2
+# No picture has room for more, and measuring what a bag tells must not take for ever.
+_LONGEST = 400
+_UNPRINTABLE = "\ufffd"
 
 
 class Style(NamedTuple):
@@ -30,6 +33,23 @@ class Style(NamedTuple):
 
     size: int
     bold: bool = False
+
+
+def printable(text: str, longest: int = _LONGEST) -> str:
+    """Make one short line of whatever a stream tells.
+
+    Args:
+        text: anything.
+        longest: of a longer text only beginning and end stay [characters].
+
+    Returns:
+        The text, white space as blanks, other control characters and halves of surrogate pairs as ``\ufffd``.
+    """
+    if len(text) > longest:
+        text = _ends(text, longest - 1)
+    if text.isprintable():
+        return text
+    return "".join(c if c.isprintable() else " " if c.isspace() else _UNPRINTABLE for c in text)
 
 
 def text_width(text: str, style: Style) -> int:
@@ -42,7 +62,7 @@ def text_width(text: str, style: Style) -> int:
     Returns:
         Width of their mask [pixels].
     """
-    return _width(text, style)
+    return _width(printable(text), style)
 
 
 def ascent(style: Style) -> int:
@@ -61,7 +81,7 @@ def fit(text: str, style: Style, width: float) -> str:
     Returns:
         The text, or its beginning with an ellipsis, or nothing if not even that fits.
     """
-    return _fit(text, style, int(width))
+    return _fit(printable(text), style, int(width))
 
 
 def shorten(name: str, style: Style, width: float) -> str:
@@ -75,7 +95,7 @@ def shorten(name: str, style: Style, width: float) -> str:
     Returns:
         The name, or its two ends around an ellipsis, or nothing if not even that fits.
     """
-    return _shorten(name, style, int(width))
+    return _shorten(printable(name), style, int(width))
 
 
 def wrap(text: str, style: Style, width: float, lines: int) -> Tuple[str, ...]:
@@ -90,10 +110,9 @@ def wrap(text: str, style: Style, width: float, lines: int) -> Tuple[str, ...]:
     Returns:
         One line or more.
     """
-    return _wrap(text, style, int(width), lines)
+    return _wrap(printable(text, _LONGEST * lines), style, int(width), lines)
 
 
-@lru_cache(maxsize=1024)
 def mask(text: str, style: Style) -> Tuple[NDArray[np.uint8], int]:
     """Draw words.
 
@@ -104,14 +123,9 @@ def mask(text: str, style: Style) -> Tuple[NDArray[np.uint8], int]:
     Returns:
         Coverage, (height, width) from 0 to 255, and the row of the baseline.
     """
-    above, below, _ = _metrics(style)
-    width = _width(text, style)
-    image = pillow("Image").new("L", (max(width, 1), above + below), 0)
-    pillow("ImageDraw").Draw(image).text((1, above), _one_line(text), fill=255, font=_font(style), anchor="ls")
-    return np.array(image, dtype=np.uint8), above
+    return _mask(printable(text), style)
 
 
-@lru_cache(maxsize=2048)
 def patch(text: str, style: Style, colour: Colour, ground: Colour) -> Tuple[NDArray[np.uint8], int]:
     """Draw words on a flat ground.
 
@@ -124,13 +138,9 @@ def patch(text: str, style: Style, colour: Colour, ground: Colour) -> Tuple[NDAr
     Returns:
         A picture (height, width, 3) and the row of the baseline.
     """
-    coverage, baseline = mask(text, style)
-    share = coverage[:, :, None].astype(np.float32) / 255.0
-    blended = _bgr(ground) + share * (_bgr(colour) - _bgr(ground))
-    return np.rint(blended).astype(np.uint8), baseline
+    return _patch(printable(text), style, colour, ground)
 
 
-@lru_cache(maxsize=1024)
 def halo_patch(
     text: str, style: Style, colour: Colour, halo: Colour
 ) -> Tuple[NDArray[np.uint16], NDArray[np.uint16], int]:
@@ -143,36 +153,53 @@ def halo_patch(
         halo: colour of the halo.
 
     Returns:
-        What to add, (height, width, 3), in units of 1/256; what is kept of the ground, (height, width, 1), from 0 to
+        What to add, (height, width, 3), in units of 1/256; what is kept of the ground, of the same shape, from 0 to
         256; and the row of the baseline.
     """
+    return _halo_patch(printable(text), style, colour, halo)
+
+
+@lru_cache(maxsize=1024)
+def _mask(text: str, style: Style) -> Tuple[NDArray[np.uint8], int]:
+    above, below, _ = _metrics(style)
+    width = _width(text, style)
+    image = pillow("Image").new("L", (max(width, 1), above + below), 0)
+    pillow("ImageDraw").Draw(image).text((1, above), text, fill=255, font=_font(style), anchor="ls")
+    return np.array(image, dtype=np.uint8), above
+
+
+@lru_cache(maxsize=2048)
+def _patch(text: str, style: Style, colour: Colour, ground: Colour) -> Tuple[NDArray[np.uint8], int]:
+    coverage, baseline = _mask(text, style)
+    share = coverage[:, :, None].astype(np.float32) / 255.0
+    blended = _bgr(ground) + share * (_bgr(colour) - _bgr(ground))
+    return np.rint(blended).astype(np.uint8), baseline
+
+
+@lru_cache(maxsize=1024)
+def _halo_patch(
+    text: str, style: Style, colour: Colour, halo: Colour
+) -> Tuple[NDArray[np.uint16], NDArray[np.uint16], int]:
     cv2 = opencv()
-    coverage, baseline = mask(text, style)
+    coverage, baseline = _mask(text, style)
     room = cv2.copyMakeBorder(coverage, _HALO, _HALO, _HALO, _HALO, cv2.BORDER_CONSTANT, value=0)
     disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * _HALO + 1, 2 * _HALO + 1))
     glow = cv2.blur(cv2.dilate(room, disc), (3, 3))[:, :, None].astype(np.float32) / 255.0
     share = room[:, :, None].astype(np.float32) / 255.0
     covered = np.maximum(glow * 0.92, share)
     added = _bgr(colour) * share + _bgr(halo) * (covered - share)
-    return (
-        np.rint(added * 256.0).astype(np.uint16),
-        np.rint((1.0 - covered) * 256.0).astype(np.uint16),
-        baseline + _HALO,
-    )
+    kept = np.rint((1.0 - covered) * 256.0).astype(np.uint16)
+    # One share for each colour: numpy is three times as quick where nothing is to be spread.
+    return np.rint(added * 256.0).astype(np.uint16), np.repeat(kept, 3, axis=2), baseline + _HALO
 
 
 def _bgr(colour: Colour) -> NDArray[np.float32]:
     return np.array(colour[::-1], dtype=np.float32)
 
 
-def _one_line(text: str) -> str:
-    # Pillow refuses to measure more lines than one.
-    return text.replace("\n", " ")
-
-
 @lru_cache(maxsize=4096)
 def _width(text: str, style: Style) -> int:
-    return math.ceil(_font(style).getlength(_one_line(text))) + 2 if text else 0
+    return math.ceil(_font(style).getlength(text)) + 2 if text else 0
 
 
 @lru_cache(maxsize=4096)

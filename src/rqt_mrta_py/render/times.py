@@ -8,7 +8,7 @@ from typing import Tuple
 
 from rqt_mrta_py.hooks import MonitorView
 
-__all__ = ["Axis", "TimeAxis", "elapsed", "mission_span", "number", "seconds", "ticks", "whole_seconds"]
+__all__ = ["Axis", "TimeAxis", "elapsed", "last_second", "mission_span", "number", "seconds", "ticks", "whole_seconds"]
 
 _TIME_STEPS = (0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 20, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14400, 43200, 86400)
 _SHORTEST_SPAN = 10.0
@@ -83,6 +83,13 @@ def mission_span(view: MonitorView) -> Tuple[float, float]:
     if view.duration is None:
         return start, start + _step_up(gone)
     return start, start + max(view.duration, gone, 1e-3)
+
+
+def last_second(view: MonitorView, time: float) -> float:
+    """Give the last whole second of the mission at or before a time, both on the stream's clock [s]."""
+    zero = view.now if view.record.start is None else view.record.start
+    # Stamps are nanoseconds; their differences in floats fall short of whole seconds now and then.
+    return zero + math.floor(time - zero + 1e-6)
 
 
 def elapsed(view: MonitorView, time: float) -> float:
