@@ -83,3 +83,17 @@ def test_markers_keep_the_line_of_a_task_taken_again() -> None:
     again = replace(record.allocations[-2], start=90.5)
     view = replace(view, record=replace(record, allocations=(*record.allocations[:-2], ended, again)))
     assert all(marker["action"] == ADD for marker in markers(view))
+
+
+def test_markers_keep_the_ids_of_tasks_when_another_is_withdrawn() -> None:
+    view = views.patrol()
+    before, after = (
+        {
+            marker["text"]: marker["id"]
+            for marker in team_markers(each, 92.0).fields["markers"]
+            if marker["ns"] == "task_names"
+        }
+        for each in (view, replace(view, scene=replace(view.scene, tasks=view.scene.tasks[2:])))
+    )
+    assert before == {"border_protection": 1, "report": 2}
+    assert after == {"report": 2}

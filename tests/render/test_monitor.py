@@ -17,13 +17,14 @@ from numpy.typing import NDArray
 from rqt_mrta_py.hooks import Curve, CurveGroup, CurvePanel, MonitorView
 from rqt_mrta_py.model import Arena, Event, Incident, Obstacle, Pose, RobotState, Severity
 from rqt_mrta_py.render import draw_monitor
-from rqt_mrta_py.render.arena import draw_arena
+from rqt_mrta_py.render.arena import Named, draw_arena
 from rqt_mrta_py.render.canvas import Box, Canvas
-from rqt_mrta_py.render.curves import cells, share_out, time_window, value_labels
+from rqt_mrta_py.render.curve_axes import cells, share_out, time_window, value_labels
 from rqt_mrta_py.render.floor import ArenaMap, extent
 from rqt_mrta_py.render.layout import ARENA, CURVES, HEADER, HEIGHT, SIDE, TEAM, TIMELINE, WIDTH, inside, rows
 from rqt_mrta_py.render.page import Page
 from rqt_mrta_py.render.palette import SEVERITY_COLOURS, STATE_COLOURS, Colour, TaskColours
+from rqt_mrta_py.render.stamps import Stamps
 from rqt_mrta_py.render.team import LIGHT_OFFSET, light_radius
 from rqt_mrta_py.render.timeline import lanes
 from tests.render import views
@@ -114,11 +115,13 @@ def test_monitor_shows_each_robot_where_it_is() -> None:
         assert sum(near(picture, *point, STATE_COLOURS[record.state], 0) for point in ring) >= 3
 
 
-@pytest.mark.parametrize(("now", "shown"), [(1.0, (1.0, 11.0)), (3.0, (1.0, 11.0)), (14.0, (4.0, 14.0))])
+@pytest.mark.parametrize(
+    ("now", "shown"), [(1.0, (1.0, 11.0)), (3.0, (1.0, 11.0)), (14.0, (4.0, 15.0)), (14.7, (4.0, 15.0))]
+)
 def test_curves_show_ten_seconds_or_more_and_none_before_the_mission(now: float, shown: Tuple[float, float]) -> None:
     """The first seconds of a mission were labelled -8, -6, -4 ..."""
     view = replace(with_curve((max(now - 1.0, 1.0), now), (0.0, 1.0)), now=now)
-    axis = time_window(view, view.panels[0])
+    axis = time_window(Page.of(view), view.panels[0])
     assert (axis.low, axis.high) == shown
     assert axis.ticks(5)[0][0] >= views.START
 
@@ -180,10 +183,14 @@ def _likeness(pixel: NDArray[np.int_], colour: Colour) -> float:
     return float(one @ other / (np.linalg.norm(one) * np.linalg.norm(other) + 1e-9))
 
 
-@pytest.mark.parametrize("view", [views.patrol(), views.crowd(), views.crowd(robots=30, tasks=10)])
+@pytest.mark.parametrize(
+    "view",
+    [views.patrol(), views.crowd(), views.crowd(robots=30, tasks=10), views.crowd(robots=60, tasks=50, groups=2)],
+)
 def test_names_in_the_arena_never_meet_nor_leave_it(view: MonitorView) -> None:
+    named = Named(*(frozenset(each.id for each in them) for them in (view.record.robots, view.record.tasks)))
     canvas, place = Canvas(np.zeros((HEIGHT, WIDTH, 3), np.uint8)), map_of(view)
-    boxes = draw_arena(Page.of(canvas, view), place)
+    boxes = draw_arena(canvas, Page.of(view), place, named, Stamps())
     assert len(boxes) >= 5
     assert all(place.box.holds(box) for box in boxes)
     assert not any(one.meets(other) for one, other in combinations(boxes, 2))
@@ -272,7 +279,7 @@ def test_share_out_shrinks_only_the_widest() -> None:
 def test_value_axis_names_the_reference_where_it_is_close_to_the_top(
     top: float, reference: Optional[float], expected: float
 ) -> None:
-    assert value_labels(CurvePanel("", "", top, reference, ())) == (0.0, expected)
+    assert value_labels(top, reference) == (0.0, expected)
 
 
 def test_extent_without_an_arena_holds_everything_and_keeps_still() -> None:

@@ -1,13 +1,14 @@
 """Pictures of a mission.
 
-* ``scene``, ``path``: follow the stream to know where everything is and was
-* ``monitor``: one moment; its parts are ``header``, ``floor`` and ``arena``, ``team``, ``tasks``, ``events``,
-  ``timeline``, ``curves``
+* ``scene``, ``path``, ``frames``, ``happenings``: follow the stream to know where everything is and was, and what a
+  scenario made happen
+* ``monitor``: one moment; its parts are ``header``, ``floor``, ``arena`` and ``trails``, ``team``, ``tasks``,
+  ``events``, ``timeline`` and ``marks``, ``curves`` and ``curve_axes``; ``page`` is what they are drawn from
 * ``dashboard``: the whole; its parts are in ``charts``
-* ``layout``, ``canvas``, ``text``, ``labels``, ``signs``, ``palette``, ``times``, ``spells``: what parts are
-  drawn with
+* ``layout``, ``canvas``, ``text``, ``labels``, ``signs``, ``stamps``, ``palette``, ``times``, ``spells``,
+  ``foremost``: what parts are drawn with
 * ``markers``: the scene for RViz and its like
-* ``encode``: PNG and JPEG, as bytes and as files
+* ``encode``, ``film``: PNG and JPEG, as bytes and as files; films
 * ``plugin``: registers the pictures
 """
 
@@ -15,12 +16,15 @@ from __future__ import annotations
 
 from rqt_mrta_py.render.dashboard import draw_dashboard
 from rqt_mrta_py.render.encode import jpeg, png, write_picture
+from rqt_mrta_py.render.film import FilmWriter
 from rqt_mrta_py.render.markers import MARKERS_TOPIC, team_markers
-from rqt_mrta_py.render.monitor import draw_monitor
+from rqt_mrta_py.render.monitor import MonitorRenderer, draw_monitor
 from rqt_mrta_py.render.scene import SceneTracker
 
 __all__ = [
     "MARKERS_TOPIC",
+    "FilmWriter",
+    "MonitorRenderer",
     "SceneTracker",
     "draw_dashboard",
     "draw_monitor",

@@ -1,85 +1,52 @@
-"""What moves in the arena: trails, allocations, task places, robots, and all their names."""
+"""What is in the arena now: allocations, task places, robots, and their names."""
 
 from __future__ import annotations
 
 import math
-from bisect import bisect_left
-from typing import Mapping, NamedTuple, Sequence, Tuple
+from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
 from rqt_mrta_py.hooks import RobotSight
-from rqt_mrta_py.model import Pose, RobotState
+from rqt_mrta_py.model import RobotState
 from rqt_mrta_py.render.canvas import Box, Canvas, Point, label_size
-from rqt_mrta_py.render.floor import ArenaMap, without_places
+from rqt_mrta_py.render.floor import ArenaMap, somewhere, without_places
 from rqt_mrta_py.render.labels import LabelPlacer
-from rqt_mrta_py.render.page import Page
-from rqt_mrta_py.render.palette import FAINT, INK, MUTED, TRAIL, WHITE, Colour, mix
-from rqt_mrta_py.render.signs import diamond, light
-from rqt_mrta_py.render.spells import spells
+from rqt_mrta_py.render.page import FEW, Page
+from rqt_mrta_py.render.palette import FAINT, INK, MUTED, WHITE, Colour, mix
+from rqt_mrta_py.render.signs import BADGE_RADIUS, badge, diamond, light
+from rqt_mrta_py.render.stamps import RobotStamp, Stamps, TaskStamp
 from rqt_mrta_py.render.text import Style, shorten
 
-__all__ = ["draw_arena"]
+__all__ = ["Named", "draw_arena"]
 
 _NAME = Style(12, bold=True)
-_SMALLEST_ROBOT = 6.5
+_SMALLEST_ROBOT, _SMALLEST_IN_CROWD, _LARGEST_IN_CROWD = 6.5, 2.4, 14.0
 _LONGEST_NAME = 130.0
-_TASK_SIZE = 8.0
-# From the oldest third of a trail to the newest: how far it has faded.
-_FADING = (0.75, 0.5, 0.15)
+_TASK_SIZE, _SMALLEST_TASK = 8.0, 3.5
+_LARGEST = 2000.0
+# More lines from robots to their tasks than these nobody could follow; rings around robots have the tasks' colours.
+_MOST_LINES = 150
+# On top is what needs to be seen.
+_DEPTH = {RobotState.IDLE: 0, RobotState.BUSY: 1, RobotState.OFFLINE: 2}
 
 
-def draw_arena(page: Page, place: ArenaMap) -> Tuple[Box, ...]:
-    """Draw trails, allocations, task places, robots and their names.
+class Named(NamedTuple):
+    """Ids of the robots and tasks whose names are written."""
 
-    Args:
-        page: drawn upon; the floor is there.
-        place: where things are.
-
-    Returns:
-        The rectangles of the names, in the canvas' pixels.
-    """
-    view, colours = page.view, page.colours
-    canvas = page.canvas.part(place.box)
-    left, top = place.box.left, place.box.top
-
-    def at(pose: Pose) -> Point:
-        x, y = place(pose.x, pose.y)
-        return x - left, y - top
-
-    robots = {robot.id: at(robot.pose) for robot in view.scene.robots if robot.pose is not None}
-    tasks = {task.id: at(task.place) for task in view.scene.tasks if task.place is not None}
-    if without_places(view.scene):
-        middle = Box(0, 0, place.box.width, place.box.height).centre
-        canvas.text(middle[0], middle[1], "no poses heard", _NAME, MUTED, FAINT, anchor=0.5)
-    for robot in view.scene.robots:
-        _draw_trail(page, canvas, place, robot)
-    _draw_allocations(page, canvas, robots, tasks)
-    for task, point in tasks.items():
-        diamond(canvas, point, _TASK_SIZE, colours[task])
-    states = {robot.id: robot.state for robot in view.record.robots}
-    noses = []
-    for robot in view.scene.robots:
-        if robot.pose is not None:
-            held = [colours[allocation.task] for allocation in page.open_by_robot.get(robot.id, ())]
-            body = _Body(robots[robot.id], robot.pose.yaw, _radius(robot, place))
-            noses.append(_draw_robot(canvas, body, states.get(robot.id, RobotState.OFFLINE), held))
-    names = [_Name(task, point, _TASK_SIZE, mix(colours[task], INK, 0.35)) for task, point in tasks.items()]
-    names += [
-        _Name(robot.id, robots[robot.id], _radius(robot, place) + 4.0, INK)
-        for robot in view.scene.robots
-        if robot.id in robots
-    ]
-    boxes = _draw_names(canvas, Box(0, 0, place.box.width, place.box.height), names, noses)
-    return tuple(Box(b.left + left, b.top + top, b.right + left, b.bottom + top) for b in boxes)
+    robots: FrozenSet[str]
+    tasks: FrozenSet[str]
 
 
-class _Body(NamedTuple):
-    """A robot as drawn: where its middle is, its heading [rad], its radius [pixels]."""
+class _Robot(NamedTuple):
+    """A robot as drawn: where its middle is, its heading [rad], its radius [pixels], state, colours of its tasks."""
 
+    id: str
     centre: Point
     yaw: float
     radius: float
+    state: RobotState
+    held: Sequence[Colour]
 
 
 class _Name(NamedTuple):
@@ -91,47 +58,123 @@ class _Name(NamedTuple):
     colour: Colour
 
 
-def _draw_trail(page: Page, canvas: Canvas, place: ArenaMap, robot: RobotSight) -> None:
-    """Draw a trail in the colours of the tasks that the robot held there, fainter the older it is."""
-    if len(robot.trail) < 2:
-        return
-    table = np.array(robot.trail, dtype=np.float64)
-    times = table[:, 0].tolist()
-    across, down = place.arrays(table[:, 1], table[:, 2])
-    points = np.stack((across - place.box.left, down - place.box.top), axis=1)
-    oldest, newest = times[0], times[-1]
-    for start, end, task in spells(page.by_robot.get(robot.id, ()), oldest, newest):
-        colour = TRAIL if task is None else page.colours[task]
-        for third, faded in enumerate(_FADING):
-            since = max(start, oldest + (newest - oldest) * third / 3.0)
-            until = min(end, oldest + (newest - oldest) * (third + 1) / 3.0)
-            first, last = bisect_left(times, since), bisect_left(times, until)
-            if since < until and last > first:
-                canvas.line(points[max(first - 1, 0) : last + 1], mix(colour, FAINT, faded), 2)
+def draw_arena(whole: Canvas, page: Page, place: ArenaMap, named: Named, stamps: Stamps) -> Tuple[Box, ...]:
+    """Draw allocations, task places, robots and names.
 
+    Args:
+        whole: the whole picture's canvas; floor and trails are there.
+        page: the mission.
+        place: where things are.
+        named: who is named, if there are more than a few.
+        stamps: signs for many robots or tasks.
 
-def _draw_allocations(page: Page, canvas: Canvas, robots: Mapping[str, Point], tasks: Mapping[str, Point]) -> None:
-    joined = [
-        (robots[allocation.robot], tasks[task], page.colours[task])
-        for task in tasks
-        for allocation in page.open_by_task.get(task, ())
-        if allocation.robot in robots
+    Returns:
+        The rectangles of the names, in the canvas' pixels.
+    """
+    view = page.view
+    canvas = whole.part(place.box)
+    places = ((task.id, somewhere(task.place)) for task in view.scene.tasks)
+    tasks = {task: place.inside(pose) for task, pose in places if pose is not None}
+    robots = _robots(page, place)
+    if without_places(view.scene):
+        middle = Box(0, 0, place.box.width, place.box.height).centre
+        canvas.text(middle[0], middle[1], "no poses heard", _NAME, MUTED, FAINT, anchor=0.5)
+    crowd = len(view.scene.robots) > FEW
+    _draw_allocations(page, canvas, {robot.id: robot.centre for robot in robots}, tasks, crowd)
+    task_size = _in_crowd(_TASK_SIZE, len(tasks), _SMALLEST_TASK)
+    for task, point in tasks.items():
+        if len(tasks) > FEW:
+            stamps.print(canvas, point, TaskStamp(task_size, page.colours[task]))
+        else:
+            diamond(canvas, point, task_size, page.colours[task])
+    noses = _draw_robots(canvas, robots, crowd, stamps)
+    for robot in robots:
+        if robot.id in page.conditions:
+            badge(canvas, _badge_at(robot), page.conditions[robot.id])
+    shown_tasks = list(tasks) if len(tasks) <= FEW else [task for task in tasks if task in named.tasks]
+    names = [_Name(task, tasks[task], task_size, mix(page.colours[task], INK, 0.35)) for task in shown_tasks]
+    names += [
+        _Name(robot.id, robot.centre, robot.radius + 4.0, INK)
+        for robot in robots
+        if not crowd or robot.id in named.robots
     ]
-    for start, end, _ in joined:
-        canvas.line([start, end], WHITE, 5)
-    for start, end, colour in joined:
-        canvas.line([start, end], colour, 2)
+    things = [_around(point, task_size) for point in tasks.values()]
+    things += [_around(robot.centre, robot.radius + 2.0) for robot in robots]
+    things += [_around(nose, 3.0) for nose in noses]
+    things += [_around(_badge_at(robot), BADGE_RADIUS) for robot in robots if robot.id in page.conditions]
+    bounds = Box(0, 0, *canvas.image.shape[1::-1])
+    boxes = _draw_names(canvas, LabelPlacer(bounds, things), names, near=crowd or len(tasks) > FEW)
+    left, top = place.box.left, place.box.top
+    return tuple(Box(b.left + left, b.top + top, b.right + left, b.bottom + top) for b in boxes)
 
 
-def _draw_robot(canvas: Canvas, body: _Body, state: RobotState, tasks: Sequence[Colour]) -> Point:
-    """Draw a light with a nose, and a ring around it for each task held, three at most; give the tip of the nose."""
-    (x, y), radius = body.centre, body.radius
-    cos, sin = math.cos(body.yaw), -math.sin(body.yaw)
-    reach = radius + 3.0 + 3.0 * min(len(tasks), 3)
+def _robots(page: Page, place: ArenaMap) -> List[_Robot]:
+    """List the robots that are somewhere, those drawn last on top."""
+    states = {robot.id: robot.state for robot in page.view.record.robots}
+    crowd = len(page.view.scene.robots)
+    found = []
+    for sight in page.view.scene.robots:
+        pose = somewhere(sight.pose)
+        if pose is not None:
+            held = [page.colours[allocation.task] for allocation in page.open_by_robot.get(sight.id, ())[:3]]
+            state = states.get(sight.id, RobotState.OFFLINE)
+            yaw = pose.yaw if math.isfinite(pose.yaw) else 0.0
+            found.append(_Robot(sight.id, place.inside(pose), yaw, _radius(sight, place, crowd), state, held))
+    if crowd > FEW:
+        found.sort(key=lambda robot: _DEPTH[robot.state])
+    return found
+
+
+def _radius(robot: RobotSight, place: ArenaMap, robots: int) -> float:
+    """Give a robot's radius to scale, or larger to be seen [pixels]."""
+    # What is not a number is not larger than the least.
+    least = _in_crowd(_SMALLEST_ROBOT, robots, _SMALLEST_IN_CROWD)
+    return min(max(least, robot.radius * place.scale), _LARGEST if robots <= FEW else _LARGEST_IN_CROWD)
+
+
+def _in_crowd(size: float, count: int, least: float) -> float:
+    """Give the size of a sign among so many: their area together does not grow."""
+    return max(size * math.sqrt(min(FEW / max(count, 1), 1.0)), least)
+
+
+def _draw_allocations(
+    page: Page, canvas: Canvas, robots: Mapping[str, Point], tasks: Mapping[str, Point], crowd: bool
+) -> None:
+    lines: Dict[Colour, List[List[Point]]] = {}
+    if sum(map(len, page.open_by_task.values())) > _MOST_LINES:
+        return
+    for task, point in tasks.items():
+        for allocation in page.open_by_task.get(task, ()):
+            if allocation.robot in robots:
+                lines.setdefault(page.colours[task], []).append([robots[allocation.robot], point])
+    if not crowd:
+        canvas.strokes([line for of_colour in lines.values() for line in of_colour], WHITE, 5)
+    for colour, of_colour in lines.items():
+        if crowd:
+            canvas.thin_lines(np.array(of_colour).reshape(-1, 2), [2] * len(of_colour), mix(colour, FAINT, 0.4))
+        else:
+            canvas.strokes(of_colour, colour, 2)
+
+
+def _draw_robots(canvas: Canvas, robots: Sequence[_Robot], crowd: bool, stamps: Stamps) -> List[Point]:
+    """Draw robots; give the tips of the noses of those drawn in full."""
+    if not crowd:
+        return [_draw_robot(canvas, robot) for robot in robots]
+    for robot in robots:
+        task = robot.held[-1] if robot.held else None
+        stamps.print(canvas, robot.centre, RobotStamp.of(robot.radius, robot.yaw, robot.state, task))
+    return []
+
+
+def _draw_robot(canvas: Canvas, robot: _Robot) -> Point:
+    """Draw a light with a nose, and a ring around it for each task held; give the tip of the nose."""
+    (x, y), radius = robot.centre, robot.radius
+    cos, sin = math.cos(robot.yaw), -math.sin(robot.yaw)
+    reach = radius + 3.0 + 3.0 * len(robot.held)
     nose, base, half = reach + 7.0, 0.4 * radius, radius + 0.5
-    for ring, colour in reversed(list(enumerate(tasks[:3]))):
-        canvas.disc(body.centre, radius + 5.0 + 3.0 * ring, colour)
-    canvas.disc(body.centre, radius + 2.2, WHITE)
+    for ring, colour in reversed(list(enumerate(robot.held))):
+        canvas.disc(robot.centre, radius + 5.0 + 3.0 * ring, colour)
+    canvas.disc(robot.centre, radius + 2.2, WHITE)
     tip = (x + nose * cos, y + nose * sin)
     canvas.polygon(
         [
@@ -141,21 +184,25 @@ def _draw_robot(canvas: Canvas, body: _Body, state: RobotState, tasks: Sequence[
         ],
         INK,
     )
-    light(canvas, body.centre, radius, state)
+    light(canvas, robot.centre, radius, robot.state)
     return tip
 
 
-def _draw_names(canvas: Canvas, bounds: Box, names: Sequence[_Name], noses: Sequence[Point]) -> Tuple[Box, ...]:
-    things = [
-        Box(n.centre[0] - n.radius, n.centre[1] - n.radius, n.centre[0] + n.radius, n.centre[1] + n.radius)
-        for n in names
-    ]
-    things += [Box(x - 3.0, y - 3.0, x + 3.0, y + 3.0) for x, y in noses]
-    placer = LabelPlacer(bounds, things)
+def _badge_at(robot: _Robot) -> Point:
+    """Give the place of a robot's badge: below it on the right."""
+    away = 0.7 * (robot.radius + BADGE_RADIUS)
+    return robot.centre[0] + away, robot.centre[1] + away
+
+
+def _around(centre: Point, radius: float) -> Box:
+    return Box(centre[0] - radius, centre[1] - radius, centre[0] + radius, centre[1] + radius)
+
+
+def _draw_names(canvas: Canvas, placer: LabelPlacer, names: Sequence[_Name], near: bool) -> Tuple[Box, ...]:
     placed = []
     for name in names:
         text = shorten(name.text, _NAME, _LONGEST_NAME)
-        placement = placer.place(name.centre, name.radius, label_size(text, _NAME))
+        placement = placer.place(name.centre, name.radius, label_size(text, _NAME), near)
         if placement is None:
             continue
         if placement.far:
@@ -168,7 +215,3 @@ def _draw_names(canvas: Canvas, bounds: Box, names: Sequence[_Name], noses: Sequ
 
 def _nearest(box: Box, point: Point) -> Point:
     return min(max(point[0], box.left), box.right), min(max(point[1], box.top), box.bottom)
-
-
-def _radius(robot: RobotSight, place: ArenaMap) -> float:
-    return max(robot.radius * place.scale, _SMALLEST_ROBOT)

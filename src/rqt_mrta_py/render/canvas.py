@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, List, NamedTuple, Sequence, Tuple, Union
+from bisect import bisect_left
+from typing import TYPE_CHECKING, List, Mapping, NamedTuple, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -19,8 +20,10 @@ _SHIFT = 4
 _SCALE = 1 << _SHIFT
 # Further outside the picture fixed point would overflow [pixels].
 _FAR = 9999.0
+# Of a circle larger than this nobody sees the round; fixed point has an end [pixels].
+_LARGEST = 2000.0
 # From so many points on a line is slimmed, by less than a third of a pixel.
-_LONG = 8
+_LONG = 16
 _SLACK = 0.3 * _SCALE
 
 Point = Tuple[float, float]
@@ -114,13 +117,40 @@ class Canvas:
         """Draw several lines in one colour."""
         self._polylines([_fixed(points) for points in strokes], colour, width)
 
-    def broken_line(self, points: NDArray[np.float64], colour: Colour, width: int = 1) -> None:
-        """Draw a line through points (points, 2), broken wherever one is not a number."""
-        gaps = np.flatnonzero(np.isnan(points[:, 1]))
+    def thin_lines(self, points: NDArray[np.float64], lengths: Sequence[int], colour: Colour) -> None:
+        """Draw many lines in one colour, one pixel wide and not smoothed, as quickly as can be.
+
+        Args:
+            points: of all lines, one after the other (points, 2).
+            lengths: how many points each line has.
+            colour: of all.
+        """
+        fixed, start, pieces = _fixed(points) >> _SHIFT, 0, []
+        for length in lengths:
+            if length > 1:
+                pieces.append(fixed[start : start + length])
+            start += length
+        self._cv2.polylines(self.image, pieces, False, colour[::-1], 1, self._cv2.LINE_8)
+
+    def broken_lines(
+        self, points: NDArray[np.float64], by_colour: Mapping[Colour, Sequence[Tuple[int, int]]], width: int = 1
+    ) -> None:
+        """Draw many lines, each broken wherever a point is not a number.
+
+        Args:
+            points: of all lines, one after the other (points, 2).
+            by_colour: for each colour the first point of each of its lines, and the one after its last.
+            width: of the lines [pixels].
+        """
+        gaps = np.flatnonzero(np.isnan(points[:, 1])).tolist()
         fixed = _fixed(points)
-        edges = [-1, *gaps.tolist(), len(points)]
-        pieces = [fixed[before + 1 : after] for before, after in zip(edges, edges[1:]) if after > before + 1]
-        self._polylines(pieces, colour, width)
+        for colour, lines in by_colour.items():
+            pieces = []
+            for start, end in lines:
+                inside = gaps[bisect_left(gaps, start) : bisect_left(gaps, end)]
+                edges = [start - 1, *inside, end]
+                pieces += [fixed[before + 1 : after] for before, after in zip(edges, edges[1:]) if after > before + 1]
+            self._polylines(pieces, colour, width)
 
     def dashes(self, left: float, right: float, y: float, colour: Colour, dash: int = 4) -> None:
         """Draw a dashed horizontal line, one pixel high; dashes and gaps have the same length [pixels]."""
@@ -186,7 +216,22 @@ class Canvas:
         left = round((box.left + box.right - added.shape[1]) / 2.0)
         top = round((box.top + box.bottom + ascent(style)) / 2.0) - baseline
         into, source = _overlap(self.image.shape, added.shape, left, top)
-        self.image[into] = (added[source] + kept[source] * self.image[into]) >> 8
+        ground = self.image[into]
+        blended = np.multiply(kept[source], ground, dtype=np.uint16)
+        blended += added[source]
+        blended >>= 8
+        ground[:] = blended
+
+    def paste(self, left: int, top: int, picture: NDArray[np.uint8], shown: NDArray[np.bool_]) -> None:
+        """Lay a small picture over this one where it is shown; both (height, width, 3)."""
+        height, width, _ = picture.shape
+        ground = self.image[max(top, 0) : max(top + height, 0), max(left, 0) : max(left + width, 0)]
+        if ground.shape == picture.shape:
+            np.copyto(ground, picture, where=shown)
+        elif ground.size:
+            cut = np.s_[max(-top, 0) :, max(-left, 0) :]
+            rows, columns, _ = ground.shape
+            np.copyto(ground, picture[cut][:rows, :columns], where=shown[cut][:rows, :columns])
 
     def _polylines(self, lines: List[NDArray[np.int32]], colour: Colour, width: int, closed: bool = False) -> None:
         """Draw lines, long ones without the points that nobody would miss."""
@@ -194,8 +239,10 @@ class Canvas:
         self._cv2.polylines(self.image, slim, closed, colour[::-1], width, self._cv2.LINE_AA, _SHIFT)
 
     def _circle(self, centre: Point, radius: float, colour: Colour, width: int) -> None:
-        if abs(centre[0]) > _FAR or abs(centre[1]) > _FAR:
+        # Not a number compares as False.
+        if not (abs(centre[0]) < _FAR and abs(centre[1]) < _FAR and radius > 0.0):
             return
+        radius = min(radius, _LARGEST)
         x, y = round(centre[0] * _SCALE), round(centre[1] * _SCALE)
         self._cv2.circle(self.image, (x, y), round(radius * _SCALE), colour[::-1], width, self._cv2.LINE_AA, _SHIFT)
 
@@ -206,13 +253,19 @@ def label_size(text: str, style: Style) -> Tuple[int, int]:
 
 
 def _fixed(points: Points) -> NDArray[np.int32]:
-    array: NDArray[np.float64] = np.array(points, dtype=np.float64)
+    if not isinstance(points, np.ndarray):
+        # A few numbers are turned sooner one by one.
+        return np.array([(_fixed_number(x), _fixed_number(y)) for x, y in points], dtype=np.int32)
     # fmax and fmin also turn what is not a number into one.
-    np.fmax(array, -_FAR, out=array)
-    np.fmin(array, _FAR, out=array)
-    array *= _SCALE
-    fixed: NDArray[np.int32] = np.rint(array, out=array).astype(np.int32)
+    scaled: NDArray[np.float64] = np.fmin(np.fmax(points, -_FAR), _FAR)
+    scaled *= _SCALE
+    fixed: NDArray[np.int32] = np.rint(scaled, out=scaled).astype(np.int32)
     return fixed
+
+
+def _fixed_number(value: float) -> int:
+    # Not a number compares as False.
+    return round(_SCALE * (value if -_FAR < value < _FAR else -_FAR if value < 0.0 else _FAR))
 
 
 def _overlap(

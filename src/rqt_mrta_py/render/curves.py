@@ -2,182 +2,220 @@
 
 from __future__ import annotations
 
-import math
-from typing import TYPE_CHECKING, Sequence, Tuple
+from array import array
+from bisect import bisect_left
+from itertools import accumulate
+from typing import TYPE_CHECKING, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
-from rqt_mrta_py.hooks import Curve, CurveGroup, CurvePanel, MonitorView
+from rqt_mrta_py.hooks import Curve, CurvePanel
 from rqt_mrta_py.render.canvas import Box, Canvas
+from rqt_mrta_py.render.curve_axes import (
+    MOST_GROUPS,
+    cells,
+    curve_titles,
+    curves_boxes,
+    share_out,
+    time_window,
+    value_axis,
+    value_labels,
+)
 from rqt_mrta_py.render.layout import CURVES, PLAIN, SMALL, TITLE, inside
-from rqt_mrta_py.render.page import Page
-from rqt_mrta_py.render.palette import FAINT, GRID, INK, MUTED, RED, WHITE
+from rqt_mrta_py.render.page import Page, Part
+from rqt_mrta_py.render.palette import FAINT, GRID, INK, MUTED, RED, WHITE, Colour
 from rqt_mrta_py.render.text import Style, shorten, text_width
 from rqt_mrta_py.render.times import Axis, TimeAxis, number
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["cells", "curve_titles", "curves_boxes", "draw_curves", "share_out", "time_window", "value_labels"]
+__all__ = ["curves_part", "draw_fresh_curves"]
 
-_MOST_PANELS = 2
-_MOST_GROUPS = 12
-_SHORTEST = 10.0
-_GAP = 10.0
 _NAME = Style(12, bold=True)
 _THICK_FROM = 60.0
 _KEY, _BETWEEN_KEYS, _LEAST_KEY = 17.0, 13.0, 76.0
 
 
-def curve_titles(panels: Sequence[CurvePanel]) -> Tuple[str, ...]:
-    """Give the titles of the panels that are shown, with the unit of their values.
+class _Line(NamedTuple):
+    """Points of one curve: in which chart, in which colour, times and values as doubles.
+
+    As bytes they compare quickly, and NaN equals NaN.
+    """
+
+    chart: int
+    colour: Colour
+    times: bytes
+    values: bytes
+
+
+class _Panel(NamedTuple):
+    """One panel up to the last whole second: its place, title and colours' names, its charts, and what they share."""
+
+    box: Box
+    title: str
+    legend: Tuple[Tuple[str, Colour], ...]
+    charts: Tuple[str, ...]
+    groups: int
+    axis: TimeAxis
+    top: float
+    reference: Optional[float]
+    lines: Tuple[_Line, ...]
+
+    @property
+    def room(self) -> Box:
+        """Give what the charts share."""
+        return inside(self.box).inset(24, 0, 0, 16)
+
+    def places(self) -> List[Box]:
+        """Give the place of each chart."""
+        if not self.charts:
+            return []
+        room = self.room
+        columns, lines = cells(room, len(self.charts))
+        width, height = room.width / columns, room.height / lines
+        places = []
+        for index in range(len(self.charts)):
+            left, top = room.left + index % columns * width, room.top + index // columns * height
+            places.append(Box(round(left) + 2, round(top) + 17, round(left + width) - 6, round(top + height) - 4))
+        return places
+
+    def up(self, cell: Box) -> Axis:
+        """Give the scale of values in a chart."""
+        return Axis(0.0, self.top, cell.bottom - 1.0, cell.top)
+
+
+def curves_part(page: Page) -> Part:
+    """Say what the panels look like, side by side, each a grid of small charts; curves between whole seconds.
 
     Args:
-        panels: of a view.
-
-    Returns:
-        One title or two.
+        page: the mission.
     """
+    return Part(CURVES, _panels(page), _draw_panels)
+
+
+def draw_fresh_curves(canvas: Canvas, page: Page, part: Part) -> None:
+    """Draw the two ends of curves that ``curves_part`` leaves out, before its first and after its last whole second.
+
+    Args:
+        canvas: the whole picture's; the part is there.
+        page: the mission.
+        part: the one that is there.
+    """
+    panels: Tuple[_Panel, ...] = part.content
+    for panel, curves in zip(panels, page.view.panels):
+        ends = []
+        for chart, curve in _curves(curves):
+            first, last = _settled(page, curve)
+            if first > 0:
+                ends.append(_line(page, chart, curve, 0, first + 1))
+            if last < len(curve.times):
+                ends.append(_line(page, chart, curve, max(last - 1, 0), len(curve.times)))
+        _draw_lines(canvas, panel, ends)
+
+
+def _curves(curves: CurvePanel) -> List[Tuple[int, Curve]]:
+    """List the curves that are shown, each with the number of its chart."""
+    groups = enumerate(curves.groups[:MOST_GROUPS])
+    return [(chart, curve) for chart, group in groups for curve in group.curves if curve.times]
+
+
+def _settled(page: Page, curve: Curve) -> Tuple[int, int]:
+    """Give the first point of a curve, and the one after the last, that stay there until the next whole second."""
+    first = bisect_left(curve.times, page.settled_from)
+    return first, max(bisect_left(curve.times, page.settled), first)
+
+
+def _panels(page: Page) -> Tuple[_Panel, ...]:
+    view = page.view
+    if not view.panels:
+        return ()
+    titles = curve_titles(view.panels)
+    panels = []
+    for box, title, curves in zip(curves_boxes(len(titles)), titles, view.panels):
+        shown = curves.groups[:MOST_GROUPS]
+        labels = dict.fromkeys(curve.label for group in shown for curve in group.curves)
+        panels.append(
+            _Panel(
+                box,
+                title,
+                tuple((label, page.colours[label]) for label in labels),
+                tuple(group.label for group in shown),
+                len(curves.groups),
+                time_window(page, curves),
+                *value_axis(curves),
+                tuple(_settled_lines(page, curves)),
+            )
+        )
+    return tuple(panels)
+
+
+def _settled_lines(page: Page, curves: CurvePanel) -> Iterator[_Line]:
+    for chart, curve in _curves(curves):
+        first, last = _settled(page, curve)
+        if last > first:
+            yield _line(page, chart, curve, first, last)
+
+
+def _line(page: Page, chart: int, curve: Curve, first: int, last: int) -> _Line:
+    times, values = array("d", curve.times[first:last]), array("d", curve.values[first:last])
+    return _Line(chart, page.colours[curve.label], times.tobytes(), values.tobytes())
+
+
+def _draw_panels(canvas: Canvas, panels: Tuple[_Panel, ...]) -> None:
     if not panels:
-        return ("Curves",)
-    return tuple(p.title if p.unit in ("", "1") else f"{p.title} [{p.unit}]" for p in panels[:_MOST_PANELS])
-
-
-def curves_boxes(count: int) -> Tuple[Box, ...]:
-    """Give the places of so many panels, side by side."""
-    width = (CURVES.width - _GAP * (count - 1)) / count
-    lefts = [round(CURVES.left + index * (width + _GAP)) for index in range(count)]
-    return tuple(Box(left, CURVES.top, left + int(width), CURVES.bottom) for left in lefts)
-
-
-def cells(box: Box, count: int) -> Tuple[int, int]:
-    """Arrange small charts.
-
-    Args:
-        box: that they share.
-        count: of charts, one or more.
-
-    Returns:
-        Columns and rows, such that a chart is large and rather wider than high.
-    """
-
-    def size(columns: int) -> float:
-        return min(box.width / columns / 1.5, box.height / math.ceil(count / columns))
-
-    columns = max(range(1, count + 1), key=lambda columns: (round(size(columns), 3), -columns))
-    return columns, math.ceil(count / columns)
-
-
-def share_out(widths: Sequence[float], room: float) -> float:
-    """Give the width to which the widest of some things must shrink so that all find room side by side.
-
-    Args:
-        widths: of the things.
-        room: for all of them together.
-
-    Returns:
-        The most that one of them may take; the widest's own width if all fit.
-    """
-    left = room
-    for done, width in enumerate(sorted(widths)):
-        most = left / (len(widths) - done)
-        if width > most:
-            return most
-        left -= width
-    return max(widths, default=room)
-
-
-def value_labels(curves: CurvePanel) -> Tuple[float, ...]:
-    """Give the values to be written on an axis: 0 and its top, or the reference if that is close to the top.
-
-    Args:
-        curves: the panel.
-    """
-    reference = curves.reference
-    return 0.0, reference if reference is not None and 0.8 * curves.top <= reference <= curves.top else curves.top
-
-
-def time_window(view: MonitorView, curves: CurvePanel) -> TimeAxis:
-    """Give the times that curves are drawn over: from their first point on, ten seconds or more, none before the start.
-
-    Args:
-        view: the moment and the mission's start.
-        curves: the panel.
-
-    Returns:
-        An axis from 0 to 1.
-    """
-    zero = view.now if view.record.start is None else view.record.start
-    first = min((curve.times[0] for group in curves.groups for curve in group.curves if curve.times), default=view.now)
-    low = max(min(first, view.now - _SHORTEST), zero)
-    return TimeAxis(low, max(view.now, low + _SHORTEST), 0.0, 1.0, zero)
-
-
-def draw_curves(page: Page) -> None:
-    """Draw the panels side by side, each a grid of small charts.
-
-    Args:
-        page: drawn upon; frames and titles are there.
-    """
-    if not page.view.panels:
         box = inside(CURVES)
-        page.canvas.text(box.left, box.top + 14, "this architecture tells no curves", PLAIN, MUTED, WHITE)
+        canvas.text(box.left, box.top + 14, "this architecture tells no curves", PLAIN, MUTED, WHITE)
+    for panel in panels:
+        _draw_legend(canvas, panel)
+        _draw_charts(canvas, panel)
+
+
+def _draw_charts(canvas: Canvas, panel: _Panel) -> None:
+    room = panel.room
+    if not panel.charts:
+        canvas.text(panel.box.left + 12, room.top + 14, "nothing heard yet", PLAIN, MUTED, WHITE)
         return
-    titles = curve_titles(page.view.panels)
-    for box, title, curves in zip(curves_boxes(len(titles)), titles, page.view.panels):
-        _draw_legend(page, box.inset(24.0 + text_width(title, TITLE), 0, 12, 0), curves)
-        _draw_panel(page, box, curves)
+    columns, _ = cells(room, len(panel.charts))
+    for index, (label, cell) in enumerate(zip(panel.charts, panel.places())):
+        last = index + columns >= len(panel.charts)
+        _draw_axes(canvas, cell, panel, first=index % columns == 0, last=last)
+        canvas.text(cell.left, cell.top - 9, shorten(label, _NAME, cell.width), _NAME, INK, WHITE)
+        if panel.reference is not None:
+            canvas.dashes(cell.left, cell.right, panel.up(cell)(panel.reference), RED)
+    _draw_lines(canvas, panel, panel.lines)
+    canvas.text(panel.box.left + 10, room.bottom + 8, f"t [{panel.axis.unit}]", SMALL, MUTED, WHITE)
+    if panel.groups > len(panel.charts):
+        words = f"+{panel.groups - len(panel.charts)} more"
+        canvas.text(room.right, panel.box.top + 37, words, SMALL, MUTED, WHITE, anchor=1.0)
 
 
-def _draw_panel(page: Page, box: Box, curves: CurvePanel) -> None:
-    canvas = page.canvas
-    room = inside(box).inset(24, 0, 0, 16)
-    groups = curves.groups[:_MOST_GROUPS]
-    if not groups:
-        canvas.text(box.left + 12, room.top + 14, "nothing heard yet", PLAIN, MUTED, WHITE)
-        return
-    columns, lines = cells(room, len(groups))
-    axis = time_window(page.view, curves)
-    width, height = room.width / columns, room.height / lines
-    for index, group in enumerate(groups):
-        column, line = index % columns, index // columns
-        left, top = room.left + column * width, room.top + line * height
-        cell = Box(round(left) + 2, round(top) + 17, round(left + width) - 6, round(top + height) - 4)
-        _draw_axes(canvas, cell, curves, axis, first=column == 0, last=index + columns >= len(groups))
-        canvas.text(cell.left, cell.top - 9, shorten(group.label, _NAME, cell.width), _NAME, INK, WHITE)
-        _draw_group(page, cell, group, curves, axis)
-    canvas.text(box.left + 10, room.bottom + 8, f"t [{axis.unit}]", SMALL, MUTED, WHITE)
-    if len(curves.groups) > len(groups):
-        words = f"+{len(curves.groups) - len(groups)} more"
-        canvas.text(room.right, box.top + 37, words, SMALL, MUTED, WHITE, anchor=1.0)
-
-
-def _draw_legend(page: Page, box: Box, curves: CurvePanel) -> None:
+def _draw_legend(canvas: Canvas, panel: _Panel) -> None:
     """Name the colours from right to left; names are shortened, and then left out, where room is short."""
-    canvas = page.canvas
-    labels = list(dict.fromkeys(curve.label for group in curves.groups for curve in group.curves))
+    box = panel.box.inset(24.0 + text_width(panel.title, TITLE), 0, 12, 0)
     y, x = box.top + 15.0, box.right
-    if curves.reference is not None:
-        x -= canvas.text(x, y, f"reference {number(curves.reference)}", SMALL, INK, WHITE, anchor=1.0) + 4.0
+    if panel.reference is not None:
+        x -= canvas.text(x, y, f"reference {number(panel.reference)}", SMALL, INK, WHITE, anchor=1.0) + 4.0
         canvas.dashes(x - _KEY, x, y, RED, 3)
         x -= _KEY + _BETWEEN_KEYS
-    room = x - box.left - len(labels) * (_KEY + 4.0 + _BETWEEN_KEYS)
-    widest = share_out([text_width(label, SMALL) for label in labels], room)
-    for done, label in enumerate(reversed(labels)):
+    room = x - box.left - len(panel.legend) * (_KEY + 4.0 + _BETWEEN_KEYS)
+    widest = share_out([text_width(label, SMALL) for label, _ in panel.legend], room)
+    for done, (label, colour) in enumerate(reversed(panel.legend)):
         words = shorten(label, SMALL, max(widest, _LEAST_KEY))
-        room_for_rest = 0.0 if done == len(labels) - 1 else 30.0
+        room_for_rest = 0.0 if done == len(panel.legend) - 1 else 30.0
         if x - text_width(words, SMALL) - _KEY - 4.0 - room_for_rest < box.left:
-            canvas.text(x, y, f"+{len(labels) - done}", SMALL, MUTED, WHITE, anchor=1.0)
+            canvas.text(x, y, f"+{len(panel.legend) - done}", SMALL, MUTED, WHITE, anchor=1.0)
             return
         x -= canvas.text(x, y, words, SMALL, INK, WHITE, anchor=1.0) + 4.0
-        canvas.fill(Box(x - _KEY, y - 1, x, y + 2), page.colours[label])
+        canvas.fill(Box(x - _KEY, y - 1, x, y + 2), colour)
         x -= _KEY + _BETWEEN_KEYS
 
 
-def _draw_axes(canvas: Canvas, box: Box, curves: CurvePanel, axis: TimeAxis, *, first: bool, last: bool) -> None:
+def _draw_axes(canvas: Canvas, box: Box, panel: _Panel, *, first: bool, last: bool) -> None:
     """Draw ground, grid and labels; values on the first of a line only, times on the last of a column only."""
     canvas.fill(box, FAINT)
-    across = _across(axis, box)
+    axis = panel.axis
+    across = TimeAxis(axis.low, axis.high, box.left, box.right - 1.0, axis.zero)
     for time, label in across.ticks(max(2, min(int(box.width / 40.0), 7))):
         column = across(time)
         canvas.fill(Box(round(column), box.top, round(column) + 1, box.bottom), GRID)
@@ -187,34 +225,43 @@ def _draw_axes(canvas: Canvas, box: Box, curves: CurvePanel, axis: TimeAxis, *, 
             middle = min(max(column, box.left + half), box.right - half)
             canvas.text(middle, box.bottom + 10, label, SMALL, MUTED, WHITE, anchor=0.5)
     canvas.frame(box, GRID)
-    up = Axis(0.0, curves.top, box.bottom - 1.0, box.top)
+    up = panel.up(box)
     if first:
-        for value in value_labels(curves):
+        for value in value_labels(panel.top, panel.reference):
             canvas.text(box.left - 5, up(value), number(value), SMALL, MUTED, WHITE, anchor=1.0)
 
 
-def _draw_group(page: Page, box: Box, group: CurveGroup, curves: CurvePanel, axis: TimeAxis) -> None:
-    across = _across(axis, Box(0, 0, box.width, box.height))
-    up = Axis(0.0, curves.top, box.height - 1.0, 0.0)
-    inner = page.canvas.part(box)
-    width = 2 if box.height >= _THICK_FROM else 1
-    for curve in group.curves:
-        inner.broken_line(_points(curve, across, up), page.colours[curve.label], width)
-    if curves.reference is not None:
-        inner.dashes(0.0, box.width, up(curves.reference), RED)
+def _draw_lines(canvas: Canvas, panel: _Panel, lines: Sequence[_Line]) -> None:
+    """Draw lines in a panel's charts, which are of equal size; those of one colour together."""
+    if not lines:
+        return
+    places = panel.places()
+    lengths = [len(line.times) // 8 for line in lines]
+    points = _points(panel, lines, places[0])
+    corners = np.array([(places[line.chart].left, places[line.chart].top) for line in lines], dtype=np.float64)
+    points += np.repeat(corners, lengths, axis=0)
+    by_colour: Dict[Colour, List[Tuple[int, int]]] = {}
+    for line, length, end in zip(lines, lengths, accumulate(lengths)):
+        by_colour.setdefault(line.colour, []).append((end - length, end))
+    canvas.broken_lines(points, by_colour, 2 if places[0].height >= _THICK_FROM else 1)
 
 
-def _across(axis: TimeAxis, box: Box) -> TimeAxis:
-    return TimeAxis(axis.low, axis.high, box.left, box.right - 1.0, axis.zero)
+def _points(panel: _Panel, lines: Sequence[_Line], cell: Box) -> NDArray[np.float64]:
+    """Give the points of lines, one after the other, in pixels from a chart's upper left corner.
 
+    Args:
+        panel: for its axes.
+        lines: one or more.
+        cell: a chart, for its size.
 
-def _points(curve: Curve, across: TimeAxis, up: Axis) -> NDArray[np.float64]:
-    """Give the places of a curve's points; values beyond the axis lie on its ends, NaN stays NaN."""
-    points: NDArray[np.float64] = np.array((curve.times, curve.values), dtype=np.float64).T
-    points[:, 0] -= across.low
-    points[:, 0] *= (across.last - across.first) / (across.high - across.low)
-    points[:, 0] += across.first
-    if up.high > 0.0:
-        points[:, 1] /= up.high
-    points[:, 1] = up.first + points[:, 1].clip(0.0, 1.0) * (up.last - up.first)
+    Returns:
+        Points (points, 2), none outside the chart; the second is NaN where a stroke ends.
+    """
+    across = np.frombuffer(b"".join([line.times for line in lines]), np.float64)
+    up = np.frombuffer(b"".join([line.values for line in lines]), np.float64)
+    axis = panel.axis
+    points: NDArray[np.float64] = np.empty((len(across), 2), dtype=np.float64)
+    points[:, 0] = ((across - axis.low) / (axis.high - axis.low)).clip(0.0, 1.0) * (cell.width - 1.0)
+    points[:, 1] = (1.0 - (up / panel.top).clip(0.0, 1.0)) * (cell.height - 1.0)
+    points[np.isnan(across), 1] = np.nan
     return points

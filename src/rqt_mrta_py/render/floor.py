@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Sequence, Tuple
+from typing import TYPE_CHECKING, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import SceneView
-from rqt_mrta_py.model import Arena, Obstacle
+from rqt_mrta_py.model import Arena, Obstacle, Pose
 from rqt_mrta_py.render.canvas import Box, Canvas, Point
 from rqt_mrta_py.render.layout import SMALL
 from rqt_mrta_py.render.palette import FAINT, FRAME, GRID, INK, MUTED, OBSTACLE, WHITE, mix
@@ -16,10 +16,13 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-__all__ = ["ArenaMap", "draw_floor", "extent", "without_places"]
+__all__ = ["ArenaMap", "draw_floor", "extent", "somewhere", "without_places"]
 
 _UNKNOWN = Arena(-2.0, -2.0, 2.0, 2.0, 0.0)
 _SNAP = 2.0
+# Of its two sides the shorter is shown no shorter than this share of the longer, and neither shorter than this [m].
+_THINNEST, _SMALLEST = 0.02, 1e-3
+_FARTHEST, _FARTHEST_AWAY = 1e6, 1e7
 
 
 class ArenaMap:
@@ -46,12 +49,15 @@ class ArenaMap:
             self.box.bottom - (y - self.floor.min_y) * self.scale,
         )
 
-    def arrays(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Give the places of many points [m]."""
-        return (
-            self.box.left + (x - self.floor.min_x) * self.scale,
-            self.box.bottom - (y - self.floor.min_y) * self.scale,
-        )
+    def inside(self, pose: Pose) -> Point:
+        """Give the place of a pose from the map's upper left corner, at most a million pixels away."""
+        x, y = (pose.x - self.floor.min_x) * self.scale, (self.floor.max_y - pose.y) * self.scale
+        return min(max(x, -_FARTHEST), _FARTHEST), min(max(y, -_FARTHEST), _FARTHEST)
+
+    def inside_array(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Give the places of points (points, 2) [m] from the map's upper left corner."""
+        origin, scale = (self.floor.min_x, self.floor.max_y), (self.scale, -self.scale)
+        return (points.clip(-_FARTHEST_AWAY, _FARTHEST_AWAY) - origin) * scale
 
 
 def extent(scene: SceneView) -> Arena:
@@ -59,17 +65,28 @@ def extent(scene: SceneView) -> Arena:
 
     Args:
         scene: what there is; without an arena the edges move in steps, so that the picture keeps still.
+
+    Returns:
+        A floor that can be drawn, to scale, whatever the arena is like: never without width or height.
     """
     if scene.arena is not None:
-        return scene.arena
+        return _drawable(scene.arena)
     points = [(obstacle.pose.x, obstacle.pose.y) for obstacle in scene.obstacles]
     points += [(robot.pose.x, robot.pose.y) for robot in scene.robots if robot.pose is not None]
     points += [(x, y) for robot in scene.robots for _, x, y in robot.trail]
     points += [(task.place.x, task.place.y) for task in scene.tasks if task.place is not None]
+    points = [point for point in points if abs(point[0]) < _FARTHEST_AWAY and abs(point[1]) < _FARTHEST_AWAY]
     if not points:
         return _UNKNOWN
     (min_x, max_x), (min_y, max_y) = (_snapped([point[axis] for point in points]) for axis in (0, 1))
-    return Arena(min_x, min_y, max_x, max_y, 0.0)
+    return _drawable(Arena(min_x, min_y, max_x, max_y, 0.0))
+
+
+def somewhere(pose: Optional[Pose]) -> Optional[Pose]:
+    """Give a pose if it is known and anywhere near; not if it is so far away that arithmetic would suffer."""
+    if pose is None or not (abs(pose.x) < _FARTHEST_AWAY and abs(pose.y) < _FARTHEST_AWAY):
+        return None
+    return pose
 
 
 def without_places(scene: SceneView) -> bool:
@@ -133,3 +150,21 @@ def _draw_obstacle(canvas: Canvas, place: ArenaMap, obstacle: Obstacle) -> None:
 def _snapped(values: Sequence[float]) -> Tuple[float, float]:
     low = _SNAP * math.floor((min(values) - 0.5) / _SNAP)
     return low, _SNAP * math.ceil((max(values) + 0.5) / _SNAP)
+
+
+def _drawable(arena: Arena) -> Arena:
+    if not math.isfinite(arena.max_x - arena.min_x + arena.max_y - arena.min_y):
+        return _UNKNOWN
+    longest = max(arena.max_x - arena.min_x, arena.max_y - arena.min_y, _SMALLEST)
+    (min_x, max_x), (min_y, max_y) = (
+        _widened(low, high, longest) for low, high in ((arena.min_x, arena.max_x), (arena.min_y, arena.max_y))
+    )
+    return Arena(min_x, min_y, max_x, max_y, arena.wall_height)
+
+
+def _widened(low: float, high: float, longest: float) -> Tuple[float, float]:
+    # Far from the origin a length may be lost in rounding.
+    least = max(_THINNEST * longest, 1e-9 * max(abs(low), abs(high)))
+    if high - low >= least:
+        return low, high
+    return (low + high - least) / 2.0, (low + high + least) / 2.0

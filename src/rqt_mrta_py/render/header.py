@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from rqt_mrta_py.render.canvas import Box
+from rqt_mrta_py.hooks import MonitorView
+from rqt_mrta_py.render.canvas import Box, Canvas
 from rqt_mrta_py.render.layout import HEADER
-from rqt_mrta_py.render.page import Page
 from rqt_mrta_py.render.palette import WHITE, Colour
 from rqt_mrta_py.render.signs import warning
 from rqt_mrta_py.render.text import Style, fit
@@ -22,13 +22,13 @@ _WORDS = Style(15)
 _BAR = 4
 
 
-def draw_header(page: Page) -> None:
+def draw_header(canvas: Canvas, view: MonitorView) -> None:
     """Draw title, subtitle, incidents so far, mission time and how much of the mission has passed.
 
     Args:
-        page: drawn upon; the band is there.
+        canvas: the whole picture's; the band is there.
+        view: the mission.
     """
-    canvas, view = page.canvas, page.view
     middle = HEADER.centre[1] - _BAR / 2.0
     gone = elapsed(view, view.now)
     right = HEADER.right - 16.0
@@ -37,7 +37,7 @@ def draw_header(page: Page) -> None:
         share = min(max(gone / view.duration, 0.0), 1.0) if view.duration > 0.0 else 1.0
         canvas.fill(Box(0, HEADER.bottom - _BAR, HEADER.right, HEADER.bottom), _TRACK)
         canvas.fill(Box(0, HEADER.bottom - _BAR, HEADER.right * share, HEADER.bottom), _PROGRESS)
-    right -= canvas.text(right, middle, seconds(gone), _CLOCK, WHITE, BAND, anchor=1.0) + 34.0
+    right -= _draw_clock(canvas, right, middle, seconds(gone)) + 34.0
     count = len(view.record.incidents)
     if count:
         worst = max((incident.severity for incident in view.record.incidents), key=lambda severity: severity.rank)
@@ -52,3 +52,12 @@ def draw_header(page: Page) -> None:
 
 def _planned(duration: float) -> str:
     return whole_seconds(duration) if duration == round(duration) else seconds(duration)
+
+
+def _draw_clock(canvas: Canvas, right: float, y: float, words: str) -> float:
+    """Write a time that no picture before showed from characters that they did; give the width taken [pixels]."""
+    left = right
+    for character in reversed(words):
+        # Each comes with a pixel of air on both sides, which neighbours share.
+        left -= canvas.text(left, y, character, _CLOCK, WHITE, BAND, anchor=1.0) - 2.0
+    return right - left

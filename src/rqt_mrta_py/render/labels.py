@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import Iterable, List, NamedTuple, Optional, Tuple
 
+import numpy as np
+
 from rqt_mrta_py.render.canvas import Box, Point
 
 __all__ = ["LabelPlacer", "Placement"]
@@ -21,6 +23,9 @@ _DIRECTIONS: Tuple[Tuple[float, float], ...] = (
     (-0.8, 0.8),
 )
 _DISTANCES = (3.0, 12.0, 24.0, 40.0, 60.0, 85.0)
+_NEAR = _DISTANCES[:1]
+
+_FREE, _THING, _LABEL = 0, 1, 2
 
 
 class Placement(NamedTuple):
@@ -38,7 +43,8 @@ class Placement(NamedTuple):
 class LabelPlacer:
     """Places labels one after the other; those placed first have the choice.
 
-    Labels never meet one another nor leave the bounds. They keep off other things where they can.
+    Labels never meet one another nor leave the bounds. They keep off other things where they can. What is taken is
+    kept as a plan of the bounds, one cell to a pixel, so that a label's cost does not grow with what is there.
 
     Args:
         bounds: that labels must stay in.
@@ -47,37 +53,54 @@ class LabelPlacer:
 
     def __init__(self, bounds: Box, things: Iterable[Box] = ()) -> None:
         self._bounds = bounds
-        self._things = tuple(things)
+        self._left, self._top = math.floor(bounds.left), math.floor(bounds.top)
+        size = (max(math.ceil(bounds.bottom) - self._top, 0), max(math.ceil(bounds.right) - self._left, 0))
+        self._plan = np.zeros(size, dtype=np.uint8)
+        for left, top, right, bottom in things:
+            if right > self._left and bottom > self._top:
+                rows = slice(max(math.floor(top) - self._top, 0), math.ceil(bottom) - self._top)
+                self._plan[rows, max(math.floor(left) - self._left, 0) : math.ceil(right) - self._left] = _THING
         self.placed: List[Box] = []
 
-    def place(self, anchor: Point, radius: float, size: Tuple[float, float]) -> Optional[Placement]:
+    def place(self, anchor: Point, radius: float, size: Tuple[float, float], near: bool = False) -> Optional[Placement]:
         """Find the best place for a label.
 
         Args:
             anchor: middle of the thing named.
             radius: of the thing named [pixels].
             size: width and height of the label [pixels].
+            near: the label must touch its thing and cover no other.
 
         Returns:
             Its place, which is then taken; None if there is no room near its thing.
         """
-        covering: Optional[Tuple[int, Placement]] = None
-        for distance in _DISTANCES:
+        least: Optional[Tuple[int, Placement]] = None
+        for distance in _NEAR if near else _DISTANCES:
             for direction in _DIRECTIONS:
                 box = _box_beside(anchor, radius + distance, direction, size)
-                if not self._bounds.holds(box) or any(box.meets(other) for other in self.placed):
+                if not self._bounds.holds(box):
                     continue
-                covered = sum(box.meets(thing) for thing in self._things)
-                placement = Placement(box, distance > _DISTANCES[0])
-                if not covered:
-                    self.placed.append(box)
-                    return placement
-                if covering is None or covered < covering[0]:
-                    covering = (covered, placement)
-        if covering is None:
-            return None
-        self.placed.append(covering[1].box)
-        return covering[1]
+                ground = self._ground(box)
+                worst = int(ground.max(initial=_FREE))
+                if worst == _FREE:
+                    return self._take(Placement(box, distance > _DISTANCES[0]))
+                if worst == _THING and not near:
+                    covered = int(np.count_nonzero(ground))
+                    if least is None or covered < least[0]:
+                        least = (covered, Placement(box, distance > _DISTANCES[0]))
+        return None if least is None else self._take(least[1])
+
+    def _take(self, placement: Placement) -> Placement:
+        self._ground(placement.box)[:] = _LABEL
+        self.placed.append(placement.box)
+        return placement
+
+    def _ground(self, box: Box) -> np.ndarray:
+        left, top, right, bottom = box
+        return self._plan[
+            math.floor(top) - self._top : math.ceil(bottom) - self._top,
+            math.floor(left) - self._left : math.ceil(right) - self._left,
+        ]
 
 
 def _box_beside(anchor: Point, distance: float, direction: Tuple[float, float], size: Tuple[float, float]) -> Box:

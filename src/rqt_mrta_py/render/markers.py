@@ -25,8 +25,9 @@ _UPRIGHT = {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}
 def team_markers(view: MonitorView, stamp: float, lifetime: float = 3.0) -> Outgoing:
     """Show robots, task places and open allocations.
 
-    Namespaces and ids are stable over a mission: ``robots``, ``headings`` and ``robot_names`` count robots, ``tasks``
-    and ``task_names`` count tasks, both in the scene's order; ``allocations/<robot>`` counts tasks. The line of an
+    Namespaces and ids are stable over a mission: ``robots``, ``headings`` and ``robot_names`` count robots in the
+    scene's order, ``tasks`` and ``task_names`` count tasks in the record's, whose order does not change when tasks
+    appear or are withdrawn; ``allocations/<robot>`` counts tasks. The line of an
     allocation that ended less than a lifetime ago is deleted; an older one has faded by itself.
 
     Args:
@@ -43,16 +44,23 @@ def team_markers(view: MonitorView, stamp: float, lifetime: float = 3.0) -> Outg
     for number, robot in enumerate(view.scene.robots):
         if robot.pose is not None:
             builder.robot(number, robot, robot.pose, STATE_COLOURS[states.get(robot.id, RobotState.OFFLINE)])
-    for number, task in enumerate(view.scene.tasks):
+    numbers = _task_numbers(view)
+    for task in view.scene.tasks:
         if task.place is not None:
-            builder.task(number, task, task.place, colours[task.id])
+            builder.task(numbers[task.id], task, task.place, colours[task.id])
     _allocations(builder, view, colours, lifetime)
     return Outgoing(MARKERS_TOPIC, "visualization_msgs/MarkerArray", {"markers": builder.markers})
 
 
+def _task_numbers(view: MonitorView) -> Dict[str, int]:
+    ids = [task.id for task in view.record.tasks] + [task.id for task in view.scene.tasks]
+    return {task: number for number, task in enumerate(dict.fromkeys(ids))}
+
+
 def _allocations(builder: _Builder, view: MonitorView, colours: TaskColours, lifetime: float) -> None:
     poses = {robot.id: robot.pose for robot in view.scene.robots}
-    places = {task.id: (number, task.place) for number, task in enumerate(view.scene.tasks)}
+    numbers = _task_numbers(view)
+    places = {task.id: (numbers[task.id], task.place) for task in view.scene.tasks}
     lines: Dict[Tuple[str, int], Optional[Tuple[Pose, Pose, Colour]]] = {}
     for allocation in view.record.allocations:
         number, place = places.get(allocation.task, (-1, None))

@@ -3,14 +3,40 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Dict, List, Mapping, Sequence
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Sequence
 
 from rqt_mrta_py.hooks import MonitorView
 from rqt_mrta_py.model import Allocation, Outcome
-from rqt_mrta_py.render.canvas import Canvas
+from rqt_mrta_py.render.canvas import Box, Canvas
+from rqt_mrta_py.render.foremost import troubles
+from rqt_mrta_py.render.happenings import Condition, conditions
 from rqt_mrta_py.render.palette import TaskColours
+from rqt_mrta_py.render.times import last_second
 
-__all__ = ["Page"]
+__all__ = ["FEW", "MINUTE", "Page", "Part"]
+
+FEW = 40
+"""So many robots, or tasks, are drawn in full and all named; of more, only those that lists beside the arena show."""
+
+# No list has more rows for robots.
+_MOST_ROWS = 10
+
+MINUTE = 60.0
+"""So far back do trails and curves usually reach [s]; others are drawn as well, only less quickly."""
+
+
+class Part(NamedTuple):
+    """A part of a picture that often looks as it did in the picture before.
+
+    Attributes:
+        box: what is drawn upon, and nothing else.
+        content: values, compared by ``==``, that say everything about how it looks.
+        draw: draws a content on the whole picture's canvas, whose box shows the static ground; knows nothing else.
+    """
+
+    box: Box
+    content: Any
+    draw: Callable[[Canvas, Any], None]
 
 
 @dataclass(frozen=True)
@@ -18,27 +44,30 @@ class Page:
     """One picture in the making.
 
     Attributes:
-        canvas: drawn upon.
         view: the mission.
         colours: of its tasks and curves.
         by_robot: every allocation by its robot, in the record's order.
         open_by_robot: those still open by robot.
         open_by_task: those still open by task.
+        conditions: what a scenario wants to be the matter with a robot.
+        troubled: when who was last in trouble [s], if there are too many to be shown.
+        settled: the mission's last whole second [s]; what was before it is drawn once a second.
     """
 
-    canvas: Canvas
     view: MonitorView
     colours: TaskColours
     by_robot: Mapping[str, Sequence[Allocation]]
     open_by_robot: Mapping[str, Sequence[Allocation]]
     open_by_task: Mapping[str, Sequence[Allocation]]
+    conditions: Mapping[str, Condition]
+    troubled: Mapping[str, float]
+    settled: float
 
     @classmethod
-    def of(cls, canvas: Canvas, view: MonitorView) -> Page:
+    def of(cls, view: MonitorView) -> Page:
         """Look up once what several parts need.
 
         Args:
-            canvas: drawn upon.
             view: the mission.
         """
         by_robot: Dict[str, List[Allocation]] = {}
@@ -49,4 +78,18 @@ class Page:
             if allocation.outcome is Outcome.OPEN:
                 open_by_robot.setdefault(allocation.robot, []).append(allocation)
                 open_by_task.setdefault(allocation.task, []).append(allocation)
-        return cls(canvas, view, TaskColours.of(view), by_robot, open_by_robot, open_by_task)
+        return cls(
+            view,
+            TaskColours.of(view),
+            by_robot,
+            open_by_robot,
+            open_by_task,
+            conditions(view.scene.labels),
+            troubles(view) if len(view.record.robots) > _MOST_ROWS else {},
+            last_second(view, view.now),
+        )
+
+    @property
+    def settled_from(self) -> float:
+        """Give the whole second before which points of a window of a minute may drop out before the next one [s]."""
+        return self.settled - MINUTE + 2.0

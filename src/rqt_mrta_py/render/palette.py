@@ -6,6 +6,7 @@ as a curve. No colour stands alone: lights carry a sign, bars and lines a name.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Dict, Iterable, Mapping, Tuple
 
 from rqt_mrta_py.hooks import MonitorView
@@ -16,6 +17,7 @@ __all__ = [
     "FAINT",
     "FRAME",
     "GRID",
+    "HAPPENING",
     "INK",
     "MUTED",
     "OBSTACLE",
@@ -47,6 +49,7 @@ MUTED: Colour = (92, 101, 112)
 ACCENT: Colour = (38, 70, 110)
 OBSTACLE: Colour = (176, 182, 190)
 TRAIL: Colour = (150, 158, 170)
+HAPPENING: Colour = (84, 39, 136)
 
 _GREEN: Colour = (0, 158, 115)
 _YELLOW: Colour = (240, 228, 66)
@@ -92,6 +95,9 @@ TASK_COLOURS: Tuple[Colour, ...] = (
     (110, 76, 52),
 )
 
+# Of a panel with more groups than any picture shows, the others' labels need no colour.
+_MOST_GROUPS = 16
+
 
 class TaskColours:
     """One colour per task or curve label, by order of first mention; after the last colour the first follows.
@@ -112,13 +118,15 @@ class TaskColours:
         labels = [task.id for task in view.record.tasks]
         labels += [task.id for task in view.scene.tasks]
         labels += [allocation.task for allocation in view.record.allocations]
-        labels += [curve.label for panel in view.panels for group in panel.groups for curve in group.curves]
-        return cls(labels)
+        groups = [group for panel in view.panels for group in panel.groups[:_MOST_GROUPS]]
+        labels += [curve.label for group in groups for curve in group.curves]
+        return cls(dict.fromkeys(labels))
 
     def __getitem__(self, label: str) -> Colour:
         return self._colours.get(label, MUTED)
 
 
+@lru_cache(maxsize=1024)
 def mix(colour: Colour, other: Colour, share: float) -> Colour:
     """Give the colour that lies between two.
 
@@ -131,6 +139,7 @@ def mix(colour: Colour, other: Colour, share: float) -> Colour:
     return red, green, blue
 
 
+@lru_cache(maxsize=256)
 def readable_on(colour: Colour) -> Colour:
     """Give ink or white, whichever reads better on a ground of this colour.
 

@@ -6,9 +6,10 @@ from typing import Mapping
 
 from rqt_mrta_py.model import Outcome, RobotState, Severity, TaskState
 from rqt_mrta_py.render.canvas import Canvas, Point
-from rqt_mrta_py.render.palette import INK, SEVERITY_COLOURS, STATE_COLOURS, WHITE, Colour, mix
+from rqt_mrta_py.render.happenings import Condition
+from rqt_mrta_py.render.palette import HAPPENING, INK, SEVERITY_COLOURS, STATE_COLOURS, WHITE, Colour, mix
 
-__all__ = ["OUTCOME_SIGNS", "TASK_SIGNS", "diamond", "light", "warning"]
+__all__ = ["BADGE_RADIUS", "OUTCOME_SIGNS", "TASK_SIGNS", "badge", "diamond", "light", "warning"]
 
 OUTCOME_SIGNS: Mapping[Outcome, str] = {
     Outcome.DONE: "✓",
@@ -28,6 +29,9 @@ TASK_SIGNS: Mapping[TaskState, str] = {
     TaskState.FAILED: "✗",
     TaskState.WITHDRAWN: "–",
 }
+
+BADGE_RADIUS = 7.5
+"""Of the sign of a condition [pixels]."""
 
 
 def light(canvas: Canvas, centre: Point, radius: float, state: RobotState) -> None:
@@ -80,3 +84,28 @@ def warning(canvas: Canvas, centre: Point, radius: float, severity: Severity) ->
     if radius >= 5.0:
         canvas.line([(x, y - 0.25 * radius), (x, y + 0.3 * radius)], WHITE, 1)
         canvas.disc((x, y + 0.68 * radius), 0.7, WHITE)
+
+
+def badge(canvas: Canvas, centre: Point, condition: Condition) -> None:
+    """Draw the sign of what a scenario did to a robot: white on a disc in the colour of scenarios' marks.
+
+    Stopped is a square, stuck two bars, slow an arrow down, off the air a cross, a clock that is off two hands.
+
+    Args:
+        canvas: drawn upon.
+        centre: of the sign.
+        condition: what is the matter.
+    """
+    x, y = centre
+    canvas.disc(centre, BADGE_RADIUS, WHITE)
+    canvas.disc(centre, BADGE_RADIUS - 1.3, HAPPENING)
+    if condition is Condition.STOPPED:
+        canvas.polygon([(x - 2.6, y - 2.6), (x + 2.6, y - 2.6), (x + 2.6, y + 2.6), (x - 2.6, y + 2.6)], WHITE)
+    elif condition is Condition.STUCK:
+        canvas.strokes([[(x - 2.0, y - 2.6), (x - 2.0, y + 2.6)], [(x + 2.0, y - 2.6), (x + 2.0, y + 2.6)]], WHITE, 2)
+    elif condition is Condition.SLOW:
+        canvas.polygon([(x - 3.4, y - 2.0), (x + 3.4, y - 2.0), (x, y + 3.4)], WHITE)
+    elif condition is Condition.OFF_THE_AIR:
+        canvas.strokes([[(x - 2.4, y - 2.4), (x + 2.4, y + 2.4)], [(x - 2.4, y + 2.4), (x + 2.4, y - 2.4)]], WHITE, 2)
+    else:
+        canvas.strokes([[(x, y - 4.0), (x, y), (x + 3.0, y + 1.5)]], WHITE, 1)

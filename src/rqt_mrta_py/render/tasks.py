@@ -2,22 +2,47 @@
 
 from __future__ import annotations
 
-from rqt_mrta_py.model import TaskRecord, TaskState
+from collections import Counter
+from typing import NamedTuple, Tuple
+
+from rqt_mrta_py.model import TaskState
 from rqt_mrta_py.render.canvas import Box, Canvas
+from rqt_mrta_py.render.foremost import ENDED, foremost_tasks
 from rqt_mrta_py.render.layout import BOLD, PLAIN, SMALL, inside, more, rows
-from rqt_mrta_py.render.page import Page
-from rqt_mrta_py.render.palette import GRID, INK, MUTED, TASK_STATE_COLOURS, WHITE, mix, readable_on
+from rqt_mrta_py.render.page import Page, Part
+from rqt_mrta_py.render.palette import GRID, INK, MUTED, TASK_STATE_COLOURS, WHITE, Colour, mix, readable_on
 from rqt_mrta_py.render.signs import TASK_SIGNS, diamond
 from rqt_mrta_py.render.text import fit, shorten
 
-__all__ = ["draw_tasks", "tasks_height"]
+__all__ = ["tasks_height", "tasks_part", "tasks_rows"]
 
 _TALLEST, _LOWEST = 46.0, 22.0
 _TWO_LINES = 40.0
 _CHIP = 94.0
 _CHIP_HEIGHT = 19
 _ABOUT_PANEL = 38.0
-_ENDED = (TaskState.DONE, TaskState.FAILED, TaskState.WITHDRAWN)
+# More robots than these no row has room to name.
+_MOST_HOLDERS = 12
+
+
+class _Row(NamedTuple):
+    """What one task's row says; of its holders the first few are named."""
+
+    task: str
+    state: TaskState
+    colour: Colour
+    holders: Tuple[str, ...]
+    holding: int
+
+
+class _Tasks(NamedTuple):
+    """What the panel says: where it is, its rows, of how many tasks, and how many of these have ended."""
+
+    panel: Box
+    rows: Tuple[_Row, ...]
+    tasks: int
+    height: float
+    ended: int
 
 
 def tasks_height(count: int, most: float) -> float:
@@ -31,48 +56,67 @@ def tasks_height(count: int, most: float) -> float:
     return min(most, _ABOUT_PANEL + max(count, 1) * comfortable)
 
 
-def draw_tasks(page: Page, panel: Box) -> None:
-    """Draw one row per task.
+def tasks_rows(panel: Box, tasks: int) -> Tuple[float, int]:
+    """Give the height of a row [pixels] and how many of so many tasks are shown."""
+    return rows(inside(panel), tasks, _TALLEST, _LOWEST)
+
+
+def tasks_part(page: Page, panel: Box) -> Part:
+    """Say what the panel of tasks shows: one row per task, the foremost if there are many.
 
     Args:
-        page: drawn upon; frame and title are there.
+        page: the mission.
         panel: the panel drawn in.
     """
-    box, canvas = inside(panel), page.canvas
     tasks = page.view.record.tasks
-    if not tasks:
+    height, shown = tasks_rows(panel, len(tasks))
+    states = Counter([task.state for task in tasks])
+    found = []
+    for task in foremost_tasks(page.view, shown):
+        held = page.open_by_task.get(task.id, ())
+        holders = tuple([allocation.robot for allocation in held[:_MOST_HOLDERS]])
+        found.append(_Row(task.id, task.state, page.colours[task.id], holders, len(held)))
+    content = _Tasks(panel, tuple(found), len(tasks), height, sum(states[state] for state in ENDED))
+    return Part(panel, content, _draw_tasks)
+
+
+def _draw_tasks(canvas: Canvas, tasks: _Tasks) -> None:
+    box = inside(tasks.panel)
+    if not tasks.rows:
         canvas.text(box.left, box.top + 14, "no task known yet", PLAIN, MUTED, WHITE)
-    height, shown = rows(box, len(tasks), _TALLEST, _LOWEST)
-    for index, task in enumerate(tasks[:shown]):
-        row = Box(box.left, box.top + index * height, box.right, box.top + (index + 1) * height)
+        return
+    words = f"{tasks.ended} of {tasks.tasks} ended"
+    canvas.text(box.right, tasks.panel.top + 15.0, words, SMALL, MUTED, WHITE, anchor=1.0)
+    height = tasks.height
+    for index, row in enumerate(tasks.rows):
+        place = Box(box.left, box.top + index * height, box.right, box.top + (index + 1) * height)
         if index:
-            canvas.fill(Box(row.left, round(row.top), row.right, round(row.top) + 1), GRID)
-        top = round(row.centre[1]) - _CHIP_HEIGHT // 2
-        _draw_chip(canvas, Box(row.right - _CHIP, top, row.right, top + _CHIP_HEIGHT), task.state)
-        diamond(canvas, (row.left + 8.0, row.centre[1]), 7.0, page.colours[task.id])
-        words = row.inset(24, 0, _CHIP + 8.0, 0)
+            canvas.fill(Box(place.left, round(place.top), place.right, round(place.top) + 1), GRID)
+        top = round(place.centre[1]) - _CHIP_HEIGHT // 2
+        _draw_chip(canvas, Box(place.right - _CHIP, top, place.right, top + _CHIP_HEIGHT), row.state)
+        diamond(canvas, (place.left + 8.0, place.centre[1]), 7.0, row.colour)
+        room = place.inset(24, 0, _CHIP + 8.0, 0)
         if height < _TWO_LINES:
-            _draw_short_row(page, words, task)
+            _draw_short_row(canvas, room, row)
         else:
-            _draw_row(page, words, task)
-    more(canvas, box, box.top + shown * height, height, len(tasks) - shown)
+            _draw_row(canvas, room, row)
+    more(canvas, box, box.top + len(tasks.rows) * height, height, tasks.tasks - len(tasks.rows))
 
 
-def _draw_row(page: Page, row: Box, task: TaskRecord) -> None:
-    holders = ", ".join(allocation.robot for allocation in page.open_by_task.get(task.id, ()))
-    words = f"held by {holders}" if holders else "ended" if task.state in _ENDED else "held by nobody"
-    middle = row.centre[1]
-    page.canvas.text(row.left, middle - 9.0, shorten(task.id, BOLD, row.width), BOLD, INK, WHITE)
-    page.canvas.text(row.left, middle + 9.0, fit(words, PLAIN, row.width), PLAIN, MUTED, WHITE)
+def _draw_row(canvas: Canvas, place: Box, row: _Row) -> None:
+    holders = ", ".join(row.holders)
+    words = f"held by {holders}" if holders else "ended" if row.state in ENDED else "held by nobody"
+    middle = place.centre[1]
+    canvas.text(place.left, middle - 9.0, shorten(row.task, BOLD, place.width), BOLD, INK, WHITE)
+    canvas.text(place.left, middle + 9.0, fit(words, PLAIN, place.width), PLAIN, MUTED, WHITE)
 
 
-def _draw_short_row(page: Page, row: Box, task: TaskRecord) -> None:
-    holders = [allocation.robot for allocation in page.open_by_task.get(task.id, ())]
-    words = shorten(holders[0], SMALL, 0.42 * row.width) if holders else ""
-    if len(holders) > 1:
-        words = f"{len(holders)} robots"
-    taken = page.canvas.text(row.right, row.centre[1], words, SMALL, MUTED, WHITE, anchor=1.0)
-    page.canvas.text(row.left, row.centre[1], shorten(task.id, BOLD, row.width - taken - 6.0), BOLD, INK, WHITE)
+def _draw_short_row(canvas: Canvas, place: Box, row: _Row) -> None:
+    words = shorten(row.holders[0], SMALL, 0.42 * place.width) if row.holders else ""
+    if row.holding > 1:
+        words = f"{row.holding} robots"
+    taken = canvas.text(place.right, place.centre[1], words, SMALL, MUTED, WHITE, anchor=1.0)
+    canvas.text(place.left, place.centre[1], shorten(row.task, BOLD, place.width - taken - 6.0), BOLD, INK, WHITE)
 
 
 def _draw_chip(canvas: Canvas, box: Box, state: TaskState) -> None:

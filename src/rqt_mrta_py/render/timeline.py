@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Dict, List, Sequence, Tuple
+import math
+from typing import Dict, List, NamedTuple, Sequence, Tuple
 
-from rqt_mrta_py.model import Allocation, Outcome, RobotRecord
+from rqt_mrta_py.model import Allocation, Outcome, RobotRecord, RobotState, Severity
 from rqt_mrta_py.render.canvas import Box, Canvas
+from rqt_mrta_py.render.foremost import foremost_robots
 from rqt_mrta_py.render.layout import PLAIN, SMALL, TIMELINE, inside
-from rqt_mrta_py.render.page import Page
+from rqt_mrta_py.render.marks import Mark, draw_marks, mark_of
+from rqt_mrta_py.render.page import Page, Part
 from rqt_mrta_py.render.palette import (
     FAINT,
     GRID,
@@ -17,13 +20,14 @@ from rqt_mrta_py.render.palette import (
     SEVERITY_COLOURS,
     STATE_COLOURS,
     WHITE,
+    Colour,
     readable_on,
 )
 from rqt_mrta_py.render.signs import OUTCOME_SIGNS, warning
 from rqt_mrta_py.render.text import Style, shorten, text_width
 from rqt_mrta_py.render.times import TimeAxis, mission_span
 
-__all__ = ["draw_outcome_legend", "draw_timeline", "lanes"]
+__all__ = ["draw_moment", "draw_outcome_legend", "lanes", "timeline_part"]
 
 _BAR_TEXT = Style(12)
 _SIGN = Style(12, bold=True)
@@ -32,8 +36,9 @@ _TALLEST, _LOWEST = 36.0, 13.0
 _INCIDENTS = 20.0
 _AXIS = 18.0
 _NAMES = 92.0
+_BETWEEN_SIGNS = 5.0
 _BAD = (Outcome.LOST, Outcome.FAILED)
-_LEAST_FOR_SIGN, _LEAST_FOR_TEXT = 9.0, 11.0
+_LEAST_FOR_SIGN, _LEAST_FOR_TEXT, _LEAST_FOR_WORDS = 9.0, 11.0, 24.0
 
 
 def draw_outcome_legend(canvas: Canvas) -> None:
@@ -48,33 +53,90 @@ def draw_outcome_legend(canvas: Canvas) -> None:
         x -= canvas.text(x, y, OUTCOME_SIGNS[outcome], _SIGN, INK, WHITE, anchor=1.0) + 10.0
 
 
-def draw_timeline(page: Page) -> None:
-    """Draw one row per robot: bars of its allocations above a strip of its states; incidents on top.
+class _Bar(NamedTuple):
+    """One allocation: its lane, from where to where [pixels], of which task, how it ended."""
+
+    lane: int
+    left: int
+    right: int
+    task: str
+    colour: Colour
+    outcome: Outcome
+
+
+class _Row(NamedTuple):
+    """One robot: bars of its allocations, strips of its states, marks of what a scenario did to it."""
+
+    robot: str
+    bars: Tuple[_Bar, ...]
+    strips: Tuple[Tuple[int, int, RobotState], ...]
+    marks: Tuple[Mark, ...]
+
+
+class _Timeline(NamedTuple):
+    """What the panel says; incidents are (left, right, severity), labels of the axis (column, words), in pixels."""
+
+    axis: TimeAxis
+    height: float
+    rows: Tuple[_Row, ...]
+    robots: int
+    incidents: Tuple[Tuple[int, int, Severity], ...]
+    marks: Tuple[Mark, ...]
+
+
+def timeline_part(page: Page) -> Part:
+    """Say what the panel of allocations shows: one row per robot, the foremost if there are many.
+
+    A row has bars of allocations above a strip of states. Above the rows are incidents, and what a scenario made happen
+    that belongs in no row.
 
     Args:
-        page: drawn upon; frame, title and legend are there.
+        page: the mission.
     """
-    canvas, box = page.canvas, inside(TIMELINE)
-    robots = page.view.record.robots
-    room = box.inset(0, _INCIDENTS, 0, _AXIS)
-    height = min(_TALLEST, max(room.height / max(len(robots), 1), _LOWEST))
-    shown = len(robots) if height * len(robots) <= room.height + 0.5 else int(room.height / height) - 1
-    chart = Box(box.left + _NAMES, room.top, box.right - 8.0, room.bottom)
-    start, end = mission_span(page.view)
-    axis = TimeAxis(start, end, chart.left, chart.right, start)
-    _draw_axis(canvas, chart, axis)
-    if not robots:
-        canvas.text(box.left, room.top + 14, "no robot yet", PLAIN, MUTED, WHITE)
-    for index, robot in enumerate(robots[:shown]):
-        row = Box(chart.left, chart.top + index * height, chart.right, chart.top + (index + 1) * height)
-        canvas.text(box.left, row.centre[1] - 1.0, shorten(robot.id, _NAME, _NAMES - 8.0), _NAME, INK, WHITE)
-        _draw_row(page, row, axis, robot)
-    if shown < len(robots):
-        canvas.text(box.left, chart.top + (shown + 0.5) * height, f"+{len(robots) - shown} more", SMALL, MUTED, WHITE)
-    _draw_incidents(page, Box(box.left, box.top, chart.right, chart.top), axis)
-    if page.view.record.start is not None:
-        now = round(axis(page.view.now))
-        canvas.fill(Box(now, box.top + 2, now + 1, chart.bottom + 3), INK)
+    view = page.view
+    room = _room()
+    height, shown = _rows(room, len(view.record.robots))
+    start, end = mission_span(view)
+    axis = TimeAxis(start, end, room.left + _NAMES, room.right - 8.0, start)
+    robots = foremost_robots(view, shown, page.troubled)
+    named = {robot.id for robot in robots}
+    marks: Dict[str, List[Mark]] = {}
+    for label in view.scene.labels:
+        marks.setdefault(label.robot if label.robot in named else "", []).append(
+            mark_of(label, round(axis(label.time)), page.colours)
+        )
+    content = _Timeline(
+        axis,
+        height,
+        tuple([_row(page, axis, robot, tuple(marks.get(robot.id, ()))) for robot in robots]),
+        len(view.record.robots),
+        _incidents(page, axis),
+        tuple(marks.get("", ())),
+    )
+    return Part(TIMELINE, content, _draw_timeline)
+
+
+def draw_moment(canvas: Canvas, page: Page, part: Part) -> None:
+    """Draw what goes on since the last whole second, and the line that says how far the mission has come.
+
+    Args:
+        canvas: the whole picture's; the part is there.
+        page: the mission.
+        part: the one that is there.
+    """
+    if page.view.record.start is None:
+        return
+    timeline: _Timeline = part.content
+    room, now = _room(), round(timeline.axis(page.view.now))
+    for index, row in enumerate(timeline.rows):
+        shape = _Shape.of(row, room.top + index * timeline.height, timeline.height)
+        if row.strips:
+            _, since, state = row.strips[-1]
+            canvas.fill(Box(since, shape.strip, now, shape.bottom), STATE_COLOURS[state])
+        for bar in row.bars:
+            if bar.outcome is Outcome.OPEN:
+                canvas.fill(Box(bar.right, shape.top_of(bar.lane), now, shape.top_of(bar.lane + 1)), bar.colour)
+    canvas.fill(Box(now, room.top - _INCIDENTS + 2, now + 1, room.bottom + 3), INK)
 
 
 def lanes(allocations: Sequence[Allocation]) -> List[Tuple[Allocation, int]]:
@@ -95,6 +157,87 @@ def lanes(allocations: Sequence[Allocation]) -> List[Tuple[Allocation, int]]:
     return given
 
 
+def _room() -> Box:
+    """Give where the rows are: names and chart."""
+    return inside(TIMELINE).inset(0, _INCIDENTS, 0, _AXIS)
+
+
+def _rows(room: Box, robots: int) -> Tuple[float, int]:
+    """Give the height of a row [pixels] and how many of so many robots are shown."""
+    height = min(_TALLEST, max(room.height / max(robots, 1), _LOWEST))
+    return height, robots if height * robots <= room.height + 0.5 else int(room.height / height) - 1
+
+
+class _Shape(NamedTuple):
+    """Where things are in a row: top of its bars, height of a lane, top and bottom of the strip, all in pixels."""
+
+    top: int
+    lane: float
+    strip: int
+    bottom: int
+
+    @classmethod
+    def of(cls, row: _Row, top: float, height: float) -> _Shape:
+        roomy = height >= 20.0
+        bottom = round(top + height) - (2 if roomy else 1)
+        strip = bottom - (4 if roomy else 2)
+        first = round(top) + (2 if roomy else 1)
+        lanes_ = max((bar.lane for bar in row.bars), default=0) + 1
+        return cls(first, (strip - 1 - first) / lanes_, strip, bottom)
+
+    def top_of(self, lane: int) -> int:
+        """Give where a lane begins."""
+        return round(self.top + lane * self.lane)
+
+
+def _row(page: Page, axis: TimeAxis, robot: RobotRecord, marks: Tuple[Mark, ...]) -> _Row:
+    """Say what a row shows up to the last whole second; what still goes on ends there."""
+    now = page.view.now
+    settled = axis(page.settled)
+    strips = []
+    for each in robot.states:
+        left = round(axis(each.start))
+        strips.append((left, max(left, round(settled if each.end >= now else axis(each.end))), each.state))
+    bars = []
+    for allocation, lane in lanes(page.by_robot.get(robot.id, ())):
+        left = round(axis(allocation.start))
+        right = round(settled if allocation.outcome is Outcome.OPEN else axis(allocation.end))
+        colour = page.colours[allocation.task]
+        bars.append(_Bar(lane, left, max(right, left + 1), allocation.task, colour, allocation.outcome))
+    return _Row(robot.id, tuple(bars), tuple(strips), marks)
+
+
+def _incidents(page: Page, axis: TimeAxis) -> Tuple[Tuple[int, int, Severity], ...]:
+    """List the incidents, the worst last; of those that begin in one column and are equally bad, the longest."""
+    longest: Dict[Tuple[int, int], Tuple[int, int, Severity]] = {}
+    for incident in page.view.record.incidents:
+        left = round(axis(incident.start))
+        end = page.settled if incident.end >= page.view.now else incident.end
+        right = max(round(axis(end)), left + 2)
+        key = (incident.severity.rank, left)
+        if key not in longest or longest[key][1] < right:
+            longest[key] = (left, right, incident.severity)
+    return tuple(incident for _, incident in sorted(longest.items(), key=lambda item: item[0]))
+
+
+def _draw_timeline(canvas: Canvas, timeline: _Timeline) -> None:
+    room, height = _room(), timeline.height
+    chart = Box(room.left + _NAMES, room.top, room.right - 8.0, room.bottom)
+    _draw_axis(canvas, chart, timeline.axis)
+    if not timeline.rows:
+        canvas.text(room.left, room.top + 14, "no robot yet", PLAIN, MUTED, WHITE)
+    for index, row in enumerate(timeline.rows):
+        place = Box(chart.left, chart.top + index * height, chart.right, chart.top + (index + 1) * height)
+        canvas.text(room.left, place.centre[1] - 1.0, shorten(row.robot, _NAME, _NAMES - 8.0), _NAME, INK, WHITE)
+        _draw_row(canvas, place, row)
+    left_out, below = timeline.robots - len(timeline.rows), chart.top + (len(timeline.rows) + 0.5) * height
+    if left_out:
+        canvas.text(room.left, below, f"+{left_out} more", SMALL, MUTED, WHITE)
+    above = Box(room.left, room.top - _INCIDENTS, chart.right, room.top)
+    draw_marks(canvas, above.inset(_NAMES, 0, 0, 0), timeline.marks)
+    _draw_incidents(canvas, above, timeline.incidents)
+
+
 def _draw_axis(canvas: Canvas, chart: Box, axis: TimeAxis) -> None:
     canvas.fill(chart, FAINT)
     for time, label in axis.ticks(11):
@@ -104,29 +247,23 @@ def _draw_axis(canvas: Canvas, chart: Box, axis: TimeAxis) -> None:
     canvas.text(chart.left - 18, chart.bottom + 12, f"t [{axis.unit}]", SMALL, MUTED, WHITE, anchor=1.0)
 
 
-def _draw_row(page: Page, row: Box, axis: TimeAxis, robot: RobotRecord) -> None:
-    roomy = row.height >= 20.0
-    bottom = round(row.bottom) - (2 if roomy else 1)
-    strip = bottom - (4 if roomy else 2)
-    for interval in robot.states:
-        page.canvas.fill(Box(axis(interval.start), strip, axis(interval.end), bottom), STATE_COLOURS[interval.state])
-    given = lanes(page.by_robot.get(robot.id, ()))
-    top = round(row.top) + (2 if roomy else 1)
-    height = (strip - 1 - top) / (max((lane for _, lane in given), default=0) + 1)
-    for allocation, lane in given:
-        left = round(axis(allocation.start))
-        right = max(round(axis(allocation.end)), left + 1)
-        _draw_bar(page, Box(left, round(top + lane * height), right, round(top + (lane + 1) * height)), allocation)
+def _draw_row(canvas: Canvas, place: Box, row: _Row) -> None:
+    shape = _Shape.of(row, place.top, place.height)
+    for left, right, state in row.strips:
+        canvas.fill(Box(left, shape.strip, right, shape.bottom), STATE_COLOURS[state])
+    for bar in row.bars:
+        _draw_bar(canvas, Box(bar.left, shape.top_of(bar.lane), bar.right, shape.top_of(bar.lane + 1)), bar)
+    draw_marks(canvas, place, row.marks)
 
 
-def _draw_bar(page: Page, place: Box, allocation: Allocation) -> None:
-    colour, sign = page.colours[allocation.task], OUTCOME_SIGNS[allocation.outcome]
-    canvas = page.canvas.part(place)
+def _draw_bar(whole: Canvas, place: Box, bar: _Bar) -> None:
+    colour, sign = bar.colour, OUTCOME_SIGNS[bar.outcome]
+    canvas = whole.part(place)
     ink, middle = readable_on(colour), place.height / 2.0 - 0.5
     canvas.fill(Box(0, 0, place.width, place.height), colour)
     room = place.width - 1.0
     if sign:
-        ground = RED if allocation.outcome in _BAD else colour
+        ground = RED if bar.outcome in _BAD else colour
         needed = text_width(sign, _SIGN) + 4.0 if place.height >= _LEAST_FOR_SIGN else 4.0
         fits = room >= needed
         if ground is RED:
@@ -136,18 +273,21 @@ def _draw_bar(page: Page, place: Box, allocation: Allocation) -> None:
         room -= needed
         # Two allocations of one task that follow one another stay two.
         canvas.fill(Box(place.width - 1, 0, place.width, place.height), WHITE)
-    words = shorten(allocation.task, _BAR_TEXT, room - 6.0)
-    if place.height >= _LEAST_FOR_TEXT and len(words) > 4:
-        canvas.text(4.0, middle, words, _BAR_TEXT, ink, colour)
+    if place.height >= _LEAST_FOR_TEXT and room > _LEAST_FOR_WORDS:
+        words = shorten(bar.task, _BAR_TEXT, room - 6.0)
+        if len(words) > 4:
+            canvas.text(4.0, middle, words, _BAR_TEXT, ink, colour)
 
 
-def _draw_incidents(page: Page, lane: Box, axis: TimeAxis) -> None:
-    incidents, y = page.view.record.incidents, lane.centre[1]
+def _draw_incidents(canvas: Canvas, lane: Box, incidents: Sequence[Tuple[int, int, Severity]]) -> None:
+    y = lane.centre[1]
     if incidents:
-        page.canvas.text(lane.left, y, "incidents", SMALL, MUTED, WHITE)
-    for incident in incidents:
-        left = axis(incident.start)
-        right = max(axis(incident.end), left + 2.0)
-        page.canvas.fill(Box(left, y + 4, right, y + 7), SEVERITY_COLOURS[incident.severity])
-    for incident in sorted(incidents, key=lambda incident: incident.severity.rank):
-        warning(page.canvas, (axis(incident.start), y), 6.5, incident.severity)
+        canvas.text(lane.left, y, "incidents", SMALL, MUTED, WHITE)
+    for left, right, severity in incidents:
+        canvas.fill(Box(left, y + 4, right, y + 7), SEVERITY_COLOURS[severity])
+    before: Dict[Severity, float] = {}
+    for left, _, severity in incidents:
+        # Where signs would cover one another, the first of a kind stands for those close to it.
+        if left - before.get(severity, -math.inf) >= _BETWEEN_SIGNS:
+            warning(canvas, (left, y), 6.5, severity)
+            before[severity] = left

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import Any, List, Tuple
+from bisect import bisect_left
+from typing import Any, FrozenSet, List, Tuple
 
-from rqt_mrta_py.hooks import RobotSight
 from rqt_mrta_py.model import Arena, Obstacle, RobotState
 from rqt_mrta_py.render.canvas import Box, label_size
 from rqt_mrta_py.render.charts.sheet import Sheet, plain, rgb, write
-from rqt_mrta_py.render.floor import extent, without_places
+from rqt_mrta_py.render.floor import extent, somewhere, without_places
 from rqt_mrta_py.render.labels import LabelPlacer
 from rqt_mrta_py.render.libraries import matplotlib
+from rqt_mrta_py.render.page import FEW
 from rqt_mrta_py.render.palette import FRAME, GRID, INK, MUTED, OBSTACLE, STATE_COLOURS, TRAIL, WHITE, Colour, mix
 from rqt_mrta_py.render.spells import spells
 from rqt_mrta_py.render.text import Style, shorten
@@ -22,13 +23,16 @@ __all__ = ["draw_paths"]
 _NAME = Style(13, bold=True)
 _POINTS = 0.72
 
+_Name = Tuple[str, float, float, Colour]
 
-def draw_paths(sheet: Sheet, box: Box) -> None:
+
+def draw_paths(sheet: Sheet, box: Box, named: FrozenSet[str]) -> None:
     """Draw floor, obstacles, paths from start to end, task places and names.
 
     Args:
         sheet: drawn upon.
         box: room for the chart with its axes.
+        named: robots and tasks that are named where there are more than a few.
     """
     floor = extent(sheet.view.scene)
     axes = _floor(sheet, box.inset(52, 4, 4, 44), floor)
@@ -36,27 +40,9 @@ def draw_paths(sheet: Sheet, box: Box) -> None:
         middle = (floor.min_x + floor.max_x) / 2.0, (floor.min_y + floor.max_y) / 2.0
         write(axes, *middle, "no poses heard", _NAME, color=rgb(MUTED), ha="center")
     for obstacle in sheet.view.scene.obstacles:
-        _obstacle(axes, obstacle)
-    for robot in sheet.view.scene.robots:
-        _path(sheet, axes, robot)
-    names: List[Tuple[str, float, float, Colour]] = []
-    for task in sheet.view.scene.tasks:
-        if task.place is not None:
-            colour = sheet.colours[task.id]
-            axes.plot(
-                task.place.x, task.place.y, "D", color=rgb(colour), markersize=8, markeredgecolor="white", zorder=5
-            )
-            names.append((task.id, task.place.x, task.place.y, mix(colour, INK, 0.35)))
-    states = {robot.id: robot.state for robot in sheet.view.record.robots}
-    for robot in sheet.view.scene.robots:
-        if robot.pose is not None:
-            state = states.get(robot.id, RobotState.OFFLINE)
-            look = {"color": rgb(STATE_COLOURS[state]), "markeredgecolor": rgb(INK), "zorder": 6}
-            axes.plot(robot.pose.x, robot.pose.y, "o", markersize=10, **look)
-            sign = {RobotState.IDLE: ".", RobotState.OFFLINE: "x"}.get(state)
-            if sign:
-                axes.plot(robot.pose.x, robot.pose.y, sign, color="white", markersize=6, zorder=7)
-            names.append((robot.id, robot.pose.x, robot.pose.y, INK))
+        _obstacle(axes, obstacle, 4.0 * (floor.max_x - floor.min_x + floor.max_y - floor.min_y))
+    _paths(sheet, axes)
+    names = _tasks(sheet, axes, named) + _robots(sheet, axes, named)
     _names(sheet, axes, names)
 
 
@@ -83,9 +69,11 @@ def _floor(sheet: Sheet, box: Box, floor: Arena) -> Any:
     return axes
 
 
-def _obstacle(axes: Any, obstacle: Obstacle) -> None:
+def _obstacle(axes: Any, obstacle: Obstacle, longest: float) -> None:
+    """Draw an obstacle, of which no more can be seen than ``longest`` [m]; shapes far larger take seconds."""
     patches = matplotlib("patches")
-    x, y, length, width = obstacle.pose.x, obstacle.pose.y, obstacle.size[0], obstacle.size[1]
+    x, y = obstacle.pose.x, obstacle.pose.y
+    length, width = (min(size, longest) for size in obstacle.size[:2])
     if obstacle.shape == "cylinder":
         shape = patches.Circle((x, y), length / 2.0)
     else:
@@ -97,30 +85,65 @@ def _obstacle(axes: Any, obstacle: Obstacle) -> None:
     axes.add_patch(shape)
 
 
-def _path(sheet: Sheet, axes: Any, robot: RobotSight) -> None:
-    if not robot.trail:
-        return
-    held = sheet.by_robot.get(robot.id, ())
-    _, x, y = robot.trail[0]
-    axes.plot(x, y, "o", color="white", markeredgecolor=rgb(MUTED), markersize=5, zorder=4)
-    if len(robot.trail) < 2:
-        return
-    for start, end, task in spells(held, robot.trail[0][0], robot.trail[-1][0]):
-        inside = [index for index, (time, _, _) in enumerate(robot.trail) if start <= time < end]
-        if inside:
-            piece = robot.trail[max(inside[0] - 1, 0) : inside[-1] + 2]
-            colour = TRAIL if task is None else sheet.colours[task]
-            axes.plot(
-                [x for _, x, _ in piece],
-                [y for _, _, y in piece],
-                color=rgb(mix(colour, WHITE, 0.15)),
-                linewidth=1.3,
-                alpha=0.8,
-                zorder=3,
-            )
+def _paths(sheet: Sheet, axes: Any) -> None:
+    pieces: List[List[Tuple[float, float]]] = []
+    colours = []
+    starts = []
+    for robot in sheet.view.scene.robots:
+        trail = robot.trail
+        if trail and len(sheet.view.scene.robots) <= FEW:
+            starts.append(trail[0][1:])
+        if len(trail) < 2:
+            continue
+        for start, end, task in spells(sheet.by_robot.get(robot.id, ()), trail[0][0], trail[-1][0]):
+            first, last = bisect_left(trail, (start,)), bisect_left(trail, (end,))
+            if last > first:
+                pieces.append([(x, y) for _, x, y in trail[max(first - 1, 0) : last + 1]])
+                colours.append(rgb(mix(TRAIL if task is None else sheet.colours[task], WHITE, 0.15)))
+    lines = matplotlib("collections").LineCollection(pieces, colors=colours, linewidths=1.3, alpha=0.8, zorder=3)
+    axes.add_collection(lines, autolim=False)
+    look = {"color": "white", "markeredgecolor": rgb(MUTED), "markersize": 5, "zorder": 4}
+    axes.plot([x for x, _ in starts], [y for _, y in starts], "o", **look)
 
 
-def _names(sheet: Sheet, axes: Any, names: List[Tuple[str, float, float, Colour]]) -> None:
+def _tasks(sheet: Sheet, axes: Any, named: FrozenSet[str]) -> List[_Name]:
+    """Draw the places of tasks; give the names to be written."""
+    places = [(task.id, somewhere(task.place)) for task in sheet.view.scene.tasks]
+    placed = [(task, place) for task, place in places if place is not None]
+    for colour in dict.fromkeys(sheet.colours[task] for task, _ in placed):
+        alike = [place for task, place in placed if sheet.colours[task] == colour]
+        look = {"color": rgb(colour), "markeredgecolor": "white", "zorder": 5, "markersize": _size(8.0, len(placed))}
+        axes.plot([place.x for place in alike], [place.y for place in alike], "D", **look)
+    return [
+        (task, place.x, place.y, mix(sheet.colours[task], INK, 0.35))
+        for task, place in placed
+        if len(placed) <= FEW or task in named
+    ]
+
+
+def _robots(sheet: Sheet, axes: Any, named: FrozenSet[str]) -> List[_Name]:
+    """Draw where robots ended; give the names to be written."""
+    states = {robot.id: robot.state for robot in sheet.view.record.robots}
+    places = [(robot.id, somewhere(robot.pose)) for robot in sheet.view.scene.robots]
+    placed = [(robot, pose) for robot, pose in places if pose is not None]
+    for state in RobotState:
+        poses = [pose for robot, pose in placed if states.get(robot, RobotState.OFFLINE) is state]
+        across, up = [pose.x for pose in poses], [pose.y for pose in poses]
+        size = _size(10.0, len(placed))
+        look = {"color": rgb(STATE_COLOURS[state]), "markeredgecolor": rgb(INK), "zorder": 6}
+        axes.plot(across, up, "o", markersize=size, **look)
+        sign = {RobotState.IDLE: ".", RobotState.OFFLINE: "x"}.get(state)
+        if sign:
+            axes.plot(across, up, sign, color="white", markersize=0.6 * size, zorder=7)
+    return [(robot, pose.x, pose.y, INK) for robot, pose in placed if len(placed) <= FEW or robot in named]
+
+
+def _size(size: float, count: int) -> float:
+    """Give the size of a sign among so many."""
+    return max(size * math.sqrt(min(FEW / max(count, 1), 1.0)), 4.0)
+
+
+def _names(sheet: Sheet, axes: Any, names: List[_Name]) -> None:
     (left, bottom), (right, top) = axes.transAxes.transform([(0.0, 0.0), (1.0, 1.0)])
     height = sheet.figure.bbox.height
     points = [axes.transData.transform((x, y)) for _, x, y, _ in names]

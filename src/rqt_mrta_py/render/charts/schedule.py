@@ -40,10 +40,12 @@ def draw_incident_lane(sheet: Sheet, box: Box) -> None:
     """
     axes = sheet.time_axes(box)
     middle = box.height / 2.0
-    for incident in sheet.view.record.incidents:
-        colour = rgb(SEVERITY_COLOURS[incident.severity])
-        axes.plot([incident.start, incident.end], [middle, middle], color=colour, linewidth=3, solid_capstyle="butt")
-        axes.plot(incident.start, middle, "^", color=colour, markersize=10, markeredgecolor="white", clip_on=False)
+    for severity in sorted(Severity, key=lambda severity: severity.rank):
+        incidents = [incident for incident in sheet.view.record.incidents if incident.severity is severity]
+        starts, ends = [incident.start for incident in incidents], [incident.end for incident in incidents]
+        colour, at = rgb(SEVERITY_COLOURS[severity]), [middle] * len(incidents)
+        axes.hlines(at, starts, ends, color=colour, linewidth=3)
+        axes.plot(starts, at, "^", color=colour, markersize=10, markeredgecolor="white", clip_on=False)
     sheet.text(box.left - 10.0, box.centre[1], "incidents", _NAME, MUTED, "right")
 
 

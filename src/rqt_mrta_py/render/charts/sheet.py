@@ -12,7 +12,7 @@ from rqt_mrta_py.model import Allocation
 from rqt_mrta_py.render.canvas import Box
 from rqt_mrta_py.render.libraries import matplotlib
 from rqt_mrta_py.render.palette import ACCENT, FAINT, FRAME, INK, MUTED, WHITE, Colour, TaskColours
-from rqt_mrta_py.render.text import Style
+from rqt_mrta_py.render.text import Style, printable
 from rqt_mrta_py.render.times import TimeAxis, mission_span
 
 if TYPE_CHECKING:
@@ -98,6 +98,12 @@ class Sheet:
             va="center_baseline",
         )
 
+    def halo_text(self, x: float, y: float, words: str, style: Style, colour: Colour) -> None:
+        """Write over anything, with a white halo; ``y`` is the middle of a line."""
+        self.text(x, y, words, style, colour)
+        stroke = matplotlib("patheffects").withStroke(linewidth=2.5, foreground=rgb(WHITE))
+        self.figure.texts[-1].set_path_effects([stroke])
+
     def title(self, x: float, y: float, words: str) -> None:
         """Write the title of a part."""
         self.text(x, y, words, Style(15, bold=True), ACCENT)
@@ -132,5 +138,5 @@ def write(axes: Any, x: float, y: float, words: str, style: Style, **look: Any) 
 
 
 def plain(words: str) -> str:
-    """Keep matplotlib from reading dollar signs in names as mathematics, and from breaking lines."""
-    return words.replace("$", r"\$").replace("\n", " ")
+    """Keep matplotlib from reading dollar signs in names as mathematics, and from whatever is no letter."""
+    return printable(words).replace("$", r"\$")

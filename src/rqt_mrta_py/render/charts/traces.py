@@ -7,7 +7,7 @@ from typing import List, Sequence, Tuple
 from rqt_mrta_py.hooks import CurveGroup, CurvePanel
 from rqt_mrta_py.render.canvas import Box
 from rqt_mrta_py.render.charts.sheet import Sheet, rgb
-from rqt_mrta_py.render.curves import value_labels
+from rqt_mrta_py.render.curve_axes import MOST_GROUPS, value_axis, value_labels
 from rqt_mrta_py.render.palette import INK, MUTED, RED
 from rqt_mrta_py.render.text import Style, shorten, text_width
 from rqt_mrta_py.render.times import number
@@ -42,14 +42,15 @@ def draw_traces(sheet: Sheet, box: Box, charts: Sequence[Tuple[CurvePanel, Curve
         top = box.top + index * height
         place = Box(box.left, top, box.right, top + height - _GAP)
         axes = sheet.time_axes(place)
-        axes.set_ylim(0.0, panel.top if panel.top > 0.0 else 1.0)
+        top_value, reference = value_axis(panel)
+        axes.set_ylim(0.0, top_value)
         for curve in group.curves:
             axes.plot(curve.times, curve.values, color=rgb(sheet.colours[curve.label]), linewidth=1.2)
-        if panel.reference is not None:
-            axes.axhline(panel.reference, color=rgb(RED), linewidth=0.9, linestyle=(0, (4, 3)))
+        if reference is not None:
+            axes.axhline(reference, color=rgb(RED), linewidth=0.9, linestyle=(0, (4, 3)))
         sheet.text(box.left - 34.0, place.centre[1], shorten(group.label, _NAME, 96.0), _NAME, INK, "right")
-        for value in value_labels(panel):
-            y = place.bottom - place.height * value / panel.top if panel.top > 0.0 else place.bottom
+        for value in value_labels(top_value, reference):
+            y = place.bottom - place.height * value / top_value
             y = min(max(y, place.top + 5.0), place.bottom - 5.0)
             if value or place.height > 24.0:
                 sheet.text(box.left - 6.0, y, number(value), _SMALL, MUTED, "right")
@@ -65,8 +66,9 @@ def draw_traces_legend(sheet: Sheet, y: float, left: float, right: float) -> Non
         right: end of the line [pixels].
     """
     panels = sheet.view.panels
-    references = [f"reference {number(p.reference)}" for p in panels[:1] if p.reference is not None]
-    labels = list(dict.fromkeys(c.label for p in panels for group in p.groups for c in group.curves))
+    marked = [value_axis(panel)[1] for panel in panels[:1]]
+    references = [f"reference {number(value)}" for value in marked if value is not None]
+    labels = list(dict.fromkeys(c.label for p in panels for group in p.groups[:MOST_GROUPS] for c in group.curves))
     entries = [(label, "━", sheet.colours[label]) for label in labels] + [(words, "┅", RED) for words in references]
     x = right
     for done, (label, sign, colour) in enumerate(reversed(entries)):

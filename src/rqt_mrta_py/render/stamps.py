@@ -1,0 +1,109 @@
+"""Small ready-made signs for teams and lists of tasks too large to be drawn one by one."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Dict, NamedTuple, Optional, Tuple, Union
+
+import numpy as np
+
+from rqt_mrta_py.model import RobotState
+from rqt_mrta_py.render.canvas import Canvas, Point
+from rqt_mrta_py.render.palette import INK, WHITE, Colour
+from rqt_mrta_py.render.signs import diamond, light
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["RobotStamp", "Stamps", "TaskStamp"]
+
+_MOST = 2048
+_HEADINGS = 16
+# A light smaller than this has no room for a nose.
+_LEAST_FOR_NOSE = 3.0
+
+
+class RobotStamp(NamedTuple):
+    """A robot as a sign: radius [pixels], heading of sixteen, state, colour of the task held or None."""
+
+    radius: float
+    heading: int
+    state: RobotState
+    task: Optional[Colour]
+
+    @classmethod
+    def of(cls, radius: float, yaw: float, state: RobotState, task: Optional[Colour]) -> RobotStamp:
+        """Choose the sign for a robot.
+
+        Args:
+            radius: of its light [pixels].
+            yaw: its heading [rad].
+            state: what its light says.
+            task: colour of the task that it holds; None for none.
+        """
+        heading = round(yaw / (2.0 * math.pi) * _HEADINGS) % _HEADINGS if radius >= _LEAST_FOR_NOSE else 0
+        return cls(round(radius, 1), heading, state, task)
+
+
+class TaskStamp(NamedTuple):
+    """A task's place as a sign: from its centre to a corner [pixels], its colour."""
+
+    radius: float
+    colour: Colour
+
+
+class Stamps:
+    """Makes each sign once and prints it at whole pixels.
+
+    A sign depends on nothing but what is asked for, so it does not matter who asked for what before.
+    """
+
+    def __init__(self) -> None:
+        self._made: Dict[Union[RobotStamp, TaskStamp], Tuple[NDArray[np.uint8], NDArray[np.bool_]]] = {}
+
+    def print(self, canvas: Canvas, at: Point, stamp: Union[RobotStamp, TaskStamp]) -> None:
+        """Print a sign.
+
+        Args:
+            canvas: drawn upon; what lies beyond it is cut off.
+            at: the sign's middle [pixels].
+            stamp: which sign.
+        """
+        made = self._made.get(stamp)
+        if made is None:
+            if len(self._made) >= _MOST:
+                self._made.clear()
+            made = self._made[stamp] = _drawn(stamp)
+        picture, shown = made
+        canvas.paste(round(at[0]) - picture.shape[1] // 2, round(at[1]) - picture.shape[0] // 2, picture, shown)
+
+
+def _drawn(stamp: Union[RobotStamp, TaskStamp]) -> Tuple[NDArray[np.uint8], NDArray[np.bool_]]:
+    """Draw a sign with a white border one pixel wide; give it with where it covers what is below."""
+    half = math.ceil(stamp.radius + (3.0 if isinstance(stamp, TaskStamp) or stamp.radius < _LEAST_FOR_NOSE else 7.0))
+    picture = np.full((2 * half + 1, 2 * half + 1, 3), 255, dtype=np.uint8)
+    cover = np.zeros((2 * half + 1, 2 * half + 1, 3), dtype=np.uint8)
+    for image, plain in ((picture, False), (cover, True)):
+        canvas = Canvas(image)
+        if isinstance(stamp, TaskStamp):
+            diamond(canvas, (half, half), stamp.radius + plain, WHITE if plain else stamp.colour)
+        else:
+            _draw_robot(canvas, (half, half), stamp, plain)
+    shown = np.broadcast_to(cover[:, :, :1] > 127, cover.shape).copy()
+    return picture, shown
+
+
+def _draw_robot(canvas: Canvas, centre: Point, stamp: RobotStamp, plain: bool) -> None:
+    """Draw a robot's light, ring and nose; plain: all in white, a pixel larger."""
+    x, y = centre
+    grown, ink = (1.0, WHITE) if plain else (0.0, INK)
+    ring = stamp.radius + (1.8 if stamp.task else 0.6)
+    if stamp.radius >= _LEAST_FOR_NOSE:
+        yaw = 2.0 * math.pi * stamp.heading / _HEADINGS
+        cos, sin = math.cos(yaw), -math.sin(yaw)
+        tip, half = ring + 3.5 + grown, 0.7 * stamp.radius + grown
+        corners = [(x + tip * cos, y + tip * sin), (x - half * sin, y + half * cos), (x + half * sin, y - half * cos)]
+        canvas.polygon(corners, ink)
+    canvas.disc(centre, ring + grown, WHITE if plain else stamp.task or INK)
+    if not plain:
+        light(canvas, centre, stamp.radius - 0.6, stamp.state)
