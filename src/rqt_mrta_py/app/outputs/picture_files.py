@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import logging
 from collections import deque
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING, Deque, List, Optional, Protocol
 
 from rqt_mrta_py.app.outputs.folder import OutputFolder
+from rqt_mrta_py.errors import RenderError
 from rqt_mrta_py.render import write_picture
 
 if TYPE_CHECKING:
@@ -15,6 +17,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = ["FILM_RATE", "Film", "PictureFiles", "open_film", "picture_name"]
+
+_log = logging.getLogger("rqt_mrta_py.app")
 
 FILM_RATE = 10
 """Pictures a second of film [Hz]."""
@@ -31,7 +35,7 @@ def picture_name(mission_time: float) -> str:
 class Film(Protocol):
     """Takes pictures one after another."""
 
-    def write(self, image: NDArray[np.uint8]) -> None:
+    def add(self, image: NDArray[np.uint8]) -> None:
         """Append a picture."""
         ...
 
@@ -92,7 +96,7 @@ class PictureFiles:
             path = self._folder / picture_name(mission_time)
             self._under_way.append(self._writing.submit(write_picture, path, image))
         if self._filming is not None and self._film is not None:
-            self._under_way.append(self._filming.submit(self._film.write, image))
+            self._under_way.append(self._filming.submit(self._film.add, image))
 
     def finish(self) -> None:
         """Wait until every file is written, and complete the film.
@@ -106,9 +110,15 @@ class PictureFiles:
             self._film.close()
 
     def close(self) -> None:
-        """Let the threads end; what is under way is still done."""
+        """Let the threads end; what is under way is still done, and a film that was begun is completed."""
         for thread in self._threads:
             thread.shutdown()
+        if self._film is not None:
+            try:
+                self._film.close()
+            except RenderError as error:
+                # After ``finish`` there is nothing left to fail; before it, what ended the mission matters more.
+                _log.warning("event=film_failed reason=%s", error)
 
     def _thread(self, name: str) -> ThreadPoolExecutor:
         thread = ThreadPoolExecutor(1, name)
