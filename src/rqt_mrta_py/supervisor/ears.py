@@ -8,7 +8,7 @@ from rqt_mrta_py.hooks import EVERYTHING, AllocationInterpreter, AllocationSign,
 from rqt_mrta_py.model import Progress, RobotState, normalise_id
 from rqt_mrta_py.supervisor.failures import checked, failure
 from rqt_mrta_py.supervisor.presence import Presence
-from rqt_mrta_py.supervisor.sources import STAMP, Source, text_of
+from rqt_mrta_py.supervisor.readers import STAMP, TopicReader, text_of
 from rqt_mrta_py.supervisor.statements import Report, Statements
 from rqt_mrta_py.supervisor.team import Team
 from rqt_mrta_py.supervisor.topics import Topics
@@ -50,12 +50,12 @@ class Ears:
         """Say what to hear, and who hears it, in the order in which one message shall be taken in."""
         topics = self._topics
         pairs: List[Tuple[Subscription, Callback]] = [(Subscription(EVERYTHING), self._hear_anything)]
-        pairs += [(source.subscription(), self._hears_busy(source)) for source in topics.busy]
-        pairs += [(source.subscription(), self._hears_idle(source)) for source in topics.idle]
-        pairs += [(source.subscription(), self._hears_incoming(source)) for source in topics.incoming]
-        pairs += [(source.subscription(), self._hears_allocated(source)) for source in topics.allocated]
-        pairs += [(source.subscription(), self._hears_end(source, Progress.DONE)) for source in topics.completed]
-        pairs += [(source.subscription(), self._hears_end(source, Progress.FAILED)) for source in topics.failed]
+        pairs += [(reader.subscription(), self._hears_busy(reader)) for reader in topics.busy]
+        pairs += [(reader.subscription(), self._hears_idle(reader)) for reader in topics.idle]
+        pairs += [(reader.subscription(), self._hears_incoming(reader)) for reader in topics.incoming]
+        pairs += [(reader.subscription(), self._hears_allocated(reader)) for reader in topics.allocated]
+        pairs += [(reader.subscription(), self._hears_end(reader, Progress.DONE)) for reader in topics.completed]
+        pairs += [(reader.subscription(), self._hears_end(reader, Progress.FAILED)) for reader in topics.failed]
         paths = ("task_id", "robot_id", "progress", "detail", STAMP)
         pairs.append((Subscription(_PROGRESS_TOPIC, _PROGRESS_TYPE, paths), self._hear_progress))
         return pairs
@@ -97,60 +97,60 @@ class Ears:
         if robot is not None:
             self._team.hear(robot, heard)
 
-    def _hears_busy(self, source: Source) -> Callback:
+    def _hears_busy(self, reader: TopicReader) -> Callback:
         # A busy message that names the task allocates it, unless its topic is listed for that by itself.
         listed = {(each.topic.name, each.topic.type) for each in self._topics.allocated}
-        allocates = source.tells_task and (source.topic.name, source.topic.type) not in listed
-        timeout = source.timeout
+        allocates = reader.tells_task and (reader.topic.name, reader.topic.type) not in listed
+        timeout = reader.timeout
         hold = self._topics.busy_timeout
 
         def hear(heard: Heard) -> None:
             self._enter(heard)
-            robot = self._team.find_robot(source.robot_of(heard))
+            robot = self._team.find_robot(reader.robot_of(heard))
             if robot is not None:
                 self._team.hear(robot, heard)
                 self._team.renew(robot, RobotState.BUSY, timeout)
                 if allocates:
-                    self._statements.allocated(source.task_of(heard), robot.id, hold, heard)
+                    self._statements.allocated(reader.task_of(heard), robot.id, hold, heard)
 
         return hear
 
-    def _hears_idle(self, source: Source) -> Callback:
-        timeout = source.timeout
+    def _hears_idle(self, reader: TopicReader) -> Callback:
+        timeout = reader.timeout
 
         def hear(heard: Heard) -> None:
             self._enter(heard)
-            robot = self._team.find_robot(source.robot_of(heard))
+            robot = self._team.find_robot(reader.robot_of(heard))
             if robot is not None:
                 self._team.hear(robot, heard)
                 self._team.renew(robot, RobotState.IDLE, timeout)
 
         return hear
 
-    def _hears_incoming(self, source: Source) -> Callback:
+    def _hears_incoming(self, reader: TopicReader) -> Callback:
         def hear(heard: Heard) -> None:
             self._enter(heard)
-            self._team.appear(source.task_of(heard))
+            self._team.appear(reader.task_of(heard))
 
         return hear
 
-    def _hears_allocated(self, source: Source) -> Callback:
-        timeout = max(source.timeout, self._topics.busy_timeout)
+    def _hears_allocated(self, reader: TopicReader) -> Callback:
+        timeout = max(reader.timeout, self._topics.busy_timeout)
 
         def hear(heard: Heard) -> None:
             self._enter(heard)
-            robot_id = source.robot_of(heard)
+            robot_id = reader.robot_of(heard)
             self._hear_speaker(robot_id, heard)
-            self._statements.allocated(source.task_of(heard), robot_id, timeout, heard)
+            self._statements.allocated(reader.task_of(heard), robot_id, timeout, heard)
 
         return hear
 
-    def _hears_end(self, source: Source, progress: Progress) -> Callback:
+    def _hears_end(self, reader: TopicReader, progress: Progress) -> Callback:
         def hear(heard: Heard) -> None:
             self._enter(heard)
-            robot_id = source.robot_of(heard)
+            robot_id = reader.robot_of(heard)
             self._hear_speaker(robot_id, heard)
-            self._statements.reported(Report(source.task_of(heard), robot_id, progress), heard)
+            self._statements.reported(Report(reader.task_of(heard), robot_id, progress), heard)
 
         return hear
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import FrozenSet
 
 from rqt_mrta_py.model import ArchitectureSpec
-from rqt_mrta_py.supervisor.sources import allocation_sources, robot_sources, task_sources
+from rqt_mrta_py.supervisor.readers import allocation_readers, robot_readers, task_readers
 
 __all__ = ["Topics"]
 
@@ -20,29 +20,29 @@ class Topics:
     """
 
     def __init__(self, architecture: ArchitectureSpec) -> None:
-        self.busy = robot_sources(architecture.busy_robots)
-        self.idle = robot_sources(architecture.idle_robots)
-        self.incoming = task_sources(architecture.incoming_tasks)
-        self.allocated = allocation_sources(architecture)
-        self.completed = task_sources(architecture.completed_tasks)
-        self.failed = task_sources(architecture.failed_tasks)
+        self.busy = robot_readers(architecture.busy_robots)
+        self.idle = robot_readers(architecture.idle_robots)
+        self.incoming = task_readers(architecture.incoming_tasks)
+        self.allocated = allocation_readers(architecture)
+        self.completed = task_readers(architecture.completed_tasks)
+        self.failed = task_readers(architecture.failed_tasks)
 
     @property
     def silence(self) -> float:
         """How long a robot says nothing on any topic until it counts as lost [s]."""
-        return max([_MINIMUM_SILENCE, *(source.timeout for source in (*self.busy, *self.idle))])
+        return max([_MINIMUM_SILENCE, *(reader.timeout for reader in (*self.busy, *self.idle))])
 
     @property
     def busy_timeout(self) -> float:
         """How long a busy message counts at most [s]; an allocated message counts no shorter."""
-        return max((source.timeout for source in self.busy), default=0.0)
+        return max((reader.timeout for reader in self.busy), default=0.0)
 
     @property
     def hold(self) -> float:
         """How long a sign keeps an allocation going [s]."""
-        return max((source.timeout for source in (*self.busy, *self.allocated)), default=_MINIMUM_SILENCE)
+        return max((reader.timeout for reader in (*self.busy, *self.allocated)), default=_MINIMUM_SILENCE)
 
     @property
     def naming(self) -> FrozenSet[str]:
         """Topics whose messages name the robot that speaks."""
-        return frozenset(source.topic.name for source in (*self.busy, *self.idle) if source.robot_path)
+        return frozenset(reader.topic.name for reader in (*self.busy, *self.idle) if reader.robot_path)

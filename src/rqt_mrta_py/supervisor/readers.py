@@ -8,7 +8,7 @@ from typing import Any, Iterator, Mapping, Sequence, Tuple
 from rqt_mrta_py.hooks import Heard, Subscription
 from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN, ArchitectureSpec, MonitoredTopic, normalise_id
 
-__all__ = ["STAMP", "Source", "allocation_sources", "robot_sources", "stamp_of", "task_sources", "text_of"]
+__all__ = ["STAMP", "TopicReader", "allocation_readers", "robot_readers", "stamp_of", "task_readers", "text_of"]
 
 STAMP = "header/stamp"
 
@@ -28,7 +28,7 @@ def stamp_of(heard: Heard) -> float:
 
 
 @dataclass(frozen=True)
-class Source:
+class TopicReader:
     """One monitored topic, and where in its messages the ids stand.
 
     Attributes:
@@ -71,29 +71,29 @@ class Source:
         return normalise_id(text_of(heard.fields, self.task_path)) or heard.task
 
 
-def robot_sources(topics: Sequence[MonitoredTopic]) -> Tuple[Source, ...]:
-    """Read busy or idle topics; those that cannot tell a robot are left out."""
+def robot_readers(topics: Sequence[MonitoredTopic]) -> Tuple[TopicReader, ...]:
+    """Make readers of busy or idle topics; those that cannot tell a robot are left out."""
     return tuple(
-        Source(topic, topic.field, topic.task_field, _has_header(topic.field, topic.task_field))
+        TopicReader(topic, topic.field, topic.task_field, _has_header(topic.field, topic.task_field))
         for topic in _named(topics)
         if topic.field or ROBOT_TOKEN in topic.name
     )
 
 
-def task_sources(topics: Sequence[MonitoredTopic]) -> Tuple[Source, ...]:
-    """Read incoming, completed or failed topics; those that cannot tell a task are left out."""
-    return tuple(_task_source(topic, topic.robot_field) for topic in _named(topics) if _tells_task(topic))
+def task_readers(topics: Sequence[MonitoredTopic]) -> Tuple[TopicReader, ...]:
+    """Make readers of incoming, completed or failed topics; those that cannot tell a task are left out."""
+    return tuple(_task_reader(topic, topic.robot_field) for topic in _named(topics) if _tells_task(topic))
 
 
-def allocation_sources(architecture: ArchitectureSpec) -> Tuple[Source, ...]:
-    """Read allocated topics; where a busy topic is the same topic, its field tells the robot.
+def allocation_readers(architecture: ArchitectureSpec) -> Tuple[TopicReader, ...]:
+    """Make readers of allocated topics; where a busy topic is the same topic, its field tells the robot.
 
     Args:
         architecture: declares both.
     """
     busy = {(topic.name, topic.type): topic.field for topic in reversed(architecture.busy_robots)}
     return tuple(
-        _task_source(topic, topic.robot_field or busy.get((topic.name, topic.type), ""))
+        _task_reader(topic, topic.robot_field or busy.get((topic.name, topic.type), ""))
         for topic in _named(architecture.allocated_tasks)
         if _tells_task(topic)
     )
@@ -107,9 +107,9 @@ def _tells_task(topic: MonitoredTopic) -> bool:
     return bool(topic.task_field or topic.field) or TASK_TOKEN in topic.name
 
 
-def _task_source(topic: MonitoredTopic, robot_path: str) -> Source:
+def _task_reader(topic: MonitoredTopic, robot_path: str) -> TopicReader:
     task_path = topic.task_field or topic.field
-    return Source(topic, robot_path, task_path, _has_header(task_path, robot_path))
+    return TopicReader(topic, robot_path, task_path, _has_header(task_path, robot_path))
 
 
 def _has_header(*paths: str) -> bool:
