@@ -3,5 +3,6 @@
 * ``definitions``: what the text of a type declares; ``types`` finds the text by the type's name
 * ``wire``, ``values``: how values stand in bytes, and how Python's and NumPy's get there
 * ``reading``, ``writing``: functions written for one type; ``misfits`` says what is wrong with a value
+* ``forms``: faster writers for messages that give the same fields; ``encoder_text``: what all writers are made of
 * ``ros_codec``: all of it behind the Protocol ``hooks.Codec``
 """

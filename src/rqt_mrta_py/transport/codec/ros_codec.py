@@ -6,9 +6,9 @@ from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import Connection, FieldReader
 from rqt_mrta_py.transport.codec.definitions import Definition, parse_definition
+from rqt_mrta_py.transport.codec.forms import FormedEncoder
 from rqt_mrta_py.transport.codec.reading import compile_decoder, compile_reader
 from rqt_mrta_py.transport.codec.types import TypeLibrary
-from rqt_mrta_py.transport.codec.writing import compile_encoder
 
 __all__ = ["RosCodec"]
 
@@ -30,7 +30,7 @@ class RosCodec:
         self._parsed: Dict[_Key, Definition] = {}
         self._readers: Dict[Tuple[_Key, Tuple[str, ...]], FieldReader] = {}
         self._decoders: Dict[_Key, Callable[[bytes], Dict[str, Any]]] = {}
-        self._encoders: Dict[str, Callable[[Mapping[str, Any]], bytes]] = {}
+        self._encoders: Dict[str, FormedEncoder] = {}
 
     def connection(self, topic: str, type_name: str, caller: str = "", latched: bool = False) -> Connection:
         """Describe a publisher's way onto a topic; see ``hooks.Codec``."""
@@ -52,8 +52,8 @@ class RosCodec:
         """Serialise a message; see ``hooks.Codec``."""
         encoder = self._encoders.get(type_name)
         if encoder is None:
-            encoder = self._encoders[type_name] = compile_encoder(self._library.definition(type_name))
-        return encoder(fields)
+            encoder = self._encoders[type_name] = FormedEncoder(self._library.definition(type_name))
+        return encoder.write(fields)
 
     def decode(self, connection: Connection, raw: bytes) -> Dict[str, Any]:
         """Turn a whole message into nested builtins; see ``hooks.Codec``."""
