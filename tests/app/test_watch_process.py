@@ -122,7 +122,7 @@ def test_a_team_side_that_is_killed_leaves_the_bag_open_with_all_that_was_told(t
     watcher = watcher_of(run)
     wait_for(tmp_path / "out" / "monitor" / "000001.000.png")
     run.kill()
-    run.communicate(timeout=30)
+    assert run.communicate(timeout=30)[1] == ""
     patience = time.monotonic() + 30
     while Path(f"/proc/{watcher}").exists() and time.monotonic() < patience:
         time.sleep(0.02)

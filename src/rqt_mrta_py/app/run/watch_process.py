@@ -14,7 +14,7 @@ import signal
 import sys
 import threading
 import traceback
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection
 from typing import Any, Callable, Iterator, List, NamedTuple, Optional, Tuple
 
@@ -189,12 +189,15 @@ def _run(ends: _Ends, theirs: Tuple[Connection, ...]) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     for connection in theirs:
         connection.close()
+    answer: Tuple[Optional[BaseException], str, Optional[Results]]
     try:
         results = _watch(ends)
     except BaseException as error:  # noqa: BLE001 - the other side raises it
-        ends.answer.send((_sendable(error), traceback.format_exc(), None))
+        answer = (_sendable(error), traceback.format_exc(), None)
     else:
-        ends.answer.send((None, "", results))
+        answer = (None, "", results)
+    with suppress(OSError):  # nobody may be left to hear it
+        ends.answer.send(answer)
     ends.answer.close()
 
 
