@@ -8,7 +8,7 @@ from typing import Optional, Sequence, Tuple
 from rqt_mrta_py.hooks import CurvePanel
 from rqt_mrta_py.render.canvas import Box
 from rqt_mrta_py.render.layout import CURVES
-from rqt_mrta_py.render.page import MINUTE, Page
+from rqt_mrta_py.render.page import Page
 from rqt_mrta_py.render.times import TimeAxis, last_second
 
 __all__ = [
@@ -110,9 +110,10 @@ def value_labels(top: float, reference: Optional[float]) -> Tuple[float, float]:
 
 
 def time_window(page: Page, curves: CurvePanel) -> TimeAxis:
-    """Give the times that curves are drawn over: from their first point on, ten seconds or more, none before the start.
+    """Give the times that curves are drawn over: from their first point on, ten seconds or more, the last minute.
 
-    The window moves on in whole seconds, so that axes keep still while curves grow.
+    No time before the mission's start is shown. The window moves on in whole seconds, so that axes keep still while
+    curves grow.
 
     Args:
         page: the moment and the mission's start.
@@ -127,7 +128,5 @@ def time_window(page: Page, curves: CurvePanel) -> TimeAxis:
     times = (curve.times[0] for group in shown for curve in group.curves if curve.times)
     first = min((time for time in times if math.isfinite(time)), default=view.now)
     low = last_second(view, min(first, page.settled - _SHORTEST))
-    if first < page.settled_from:
-        low = min(low, page.settled - MINUTE)
-    low = max(low, zero)
+    low = max(low, page.minute_ago, zero)
     return TimeAxis(low, max(page.settled + 1.0, low + _SHORTEST), 0.0, 1.0, zero)

@@ -86,7 +86,7 @@ class _Panel(NamedTuple):
 
 
 def curves_part(page: Page) -> Part:
-    """Say what the panels look like, side by side, each a grid of small charts; curves between whole seconds.
+    """Say what the panels look like, side by side, each a grid of small charts; curves up to the last whole second.
 
     Args:
         page: the mission.
@@ -95,7 +95,7 @@ def curves_part(page: Page) -> Part:
 
 
 def draw_fresh_curves(canvas: Canvas, page: Page, part: Part) -> None:
-    """Draw the two ends of curves that ``curves_part`` leaves out, before its first and after its last whole second.
+    """Draw the ends of curves that ``curves_part`` leaves out, after the last whole second.
 
     Args:
         canvas: the whole picture's; the part is there.
@@ -107,10 +107,8 @@ def draw_fresh_curves(canvas: Canvas, page: Page, part: Part) -> None:
         ends = []
         for chart, curve in _curves(curves):
             first, last = _settled(page, curve)
-            if first > 0:
-                ends.append(_line(page, chart, curve, 0, first + 1))
             if last < len(curve.times):
-                ends.append(_line(page, chart, curve, max(last - 1, 0), len(curve.times)))
+                ends.append(_line(page, chart, curve, max(last - 1, first), len(curve.times)))
         _draw_lines(canvas, panel, ends)
 
 
@@ -122,7 +120,7 @@ def _curves(curves: CurvePanel) -> List[Tuple[int, Curve]]:
 
 def _settled(page: Page, curve: Curve) -> Tuple[int, int]:
     """Give the first point of a curve, and the one after the last, that stay there until the next whole second."""
-    first = bisect_left(curve.times, page.settled_from)
+    first = bisect_left(curve.times, page.minute_ago)
     return first, max(bisect_left(curve.times, page.settled), first)
 
 

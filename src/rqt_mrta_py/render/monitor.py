@@ -16,7 +16,7 @@ from rqt_mrta_py.render.curves import curves_part, draw_fresh_curves
 from rqt_mrta_py.render.events import events_part
 from rqt_mrta_py.render.floor import ArenaMap, draw_floor, extent
 from rqt_mrta_py.render.happenings import radio_is_split
-from rqt_mrta_py.render.header import BAND, draw_header
+from rqt_mrta_py.render.header import BAND, draw_clock, header_part
 from rqt_mrta_py.render.layout import ARENA, HEADER, HEIGHT, SIDE, SMALL, TEAM, TIMELINE, WIDTH, inside, panel
 from rqt_mrta_py.render.page import FEW, Page, Part
 from rqt_mrta_py.render.palette import HAPPENING, MUTED, PAGE, WHITE
@@ -72,13 +72,14 @@ class MonitorRenderer:
         timeline, curves = timeline_part(page), curves_part(page)
         trails, fresh_trails = cut_trails(page, place)
         self._lay_ground((place.floor, view.scene.obstacles, len(view.record.tasks), curve_titles(view.panels)), place)
+        header = header_part(view)
         lists = team_part(page), tasks_part(page, tasks)
-        for part in (_arena_title(view), trails, *lists, events_part(page, events), timeline, curves):
+        for part in (header, _arena_title(view), trails, *lists, events_part(page, events), timeline, curves):
             self._lay(part)
         image = self._pictures.take()
         np.copyto(image, self._base)
         canvas = Canvas(image)
-        draw_header(canvas, view)
+        draw_clock(canvas, view, header)
         draw_fresh_trails(canvas.part(place.box), page, place, fresh_trails)
         draw_arena(canvas, page, place, _named(lists), self._stamps)
         draw_moment(canvas, page, timeline)

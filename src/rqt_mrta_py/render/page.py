@@ -13,16 +13,13 @@ from rqt_mrta_py.render.happenings import Condition, conditions
 from rqt_mrta_py.render.palette import TaskColours
 from rqt_mrta_py.render.times import last_second
 
-__all__ = ["FEW", "MINUTE", "Page", "Part"]
+__all__ = ["FEW", "Page", "Part"]
 
 FEW = 40
 """So many robots, or tasks, are drawn in full and all named; of more, only those that lists beside the arena show."""
 
 # No list has more rows for robots.
 _MOST_ROWS = 10
-
-MINUTE = 60.0
-"""So far back do trails and curves usually reach [s]; others are drawn as well, only less quickly."""
 
 
 class Part(NamedTuple):
@@ -90,6 +87,10 @@ class Page:
         )
 
     @property
-    def settled_from(self) -> float:
-        """Give the whole second before which points of a window of a minute may drop out before the next one [s]."""
-        return self.settled - MINUTE + 2.0
+    def minute_ago(self) -> float:
+        """Give the whole second that the last minute begins with [s].
+
+        A minute that slides along loses up to two seconds at its beginning until the next whole second; without them
+        it keeps still.
+        """
+        return self.settled - 58.0

@@ -1,4 +1,4 @@
-"""Where robots were in the last seconds."""
+"""Where robots were in the last minute."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class _Trails(NamedTuple):
 
 
 def cut_trails(page: Page, place: ArenaMap) -> Tuple[Part, Tuple[Stroke, ...]]:
-    """Cut trails, in the colours of the tasks that robots held there, fainter the older they are.
+    """Cut the last minute's trails, in the colours of the tasks that robots held there, fainter the older they are.
 
     Args:
         page: the mission.
@@ -79,13 +79,13 @@ def draw_fresh_trails(canvas: Canvas, page: Page, place: ArenaMap, fresh: Sequen
 
 
 def _cut(page: Page, robot: RobotSight, settled: List[Stroke], fresh: List[Stroke]) -> None:
-    """Cut one trail at every change of colour, and where it begins and ceases to be settled.
+    """Cut one trail at every change of colour, and where it ceases to be settled.
 
     Each stroke begins with the point that the one before ends with.
     """
     trail = robot.trail
     oldest, newest = trail[0][0], trail[-1][0]
-    begin = page.settled_from
+    begin = page.minute_ago
     edges = [begin + (page.settled - begin) * third / 3.0 for third in (1, 2)]
     first_settled, last_settled = bisect_left(trail, (begin,)), bisect_left(trail, (page.settled,))
     for since, until, task in spells(page.by_robot.get(robot.id, ()), oldest, newest):
@@ -97,11 +97,9 @@ def _cut(page: Page, robot: RobotSight, settled: List[Stroke], fresh: List[Strok
             if first == last:
                 continue
             shade = mix(colour, FAINT, faded)
-            # Of the settled points the first and the last are where fresh ones join.
             for into, low, high in (
-                (fresh, 0, first_settled + 1),
                 (settled, first_settled, last_settled),
-                (fresh, max(last_settled - 1, 0), len(trail)),
+                (fresh, max(last_settled - 1, first_settled), len(trail)),
             ):
                 begun, ended = first - 1 if first > low else low, last if last < high else high
                 if ended > begun + 1:
