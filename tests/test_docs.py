@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+import ast
+import contextlib
+import importlib
 import importlib.util
+import io
+import os
 import re
 import shlex
+import subprocess
+import sys
 from pathlib import Path
-from typing import List
+from typing import List, Tuple
 
 import pytest
 
@@ -16,7 +23,16 @@ from rqt_mrta_py.hooks import HookSpecs
 from rqt_mrta_py.hooks.manager import PluginManager
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+SOURCE = ROOT / "src" / "rqt_mrta_py"
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+INDEX = ROOT / "docs" / "rooms" / "README.md"
+ROOM_PAGES = sorted(path for path in INDEX.parent.glob("*.md") if path != INDEX)
+ROOMS = sorted(path.parent.name for path in SOURCE.glob("*/__init__.py"))
+MAPS = sorted(SOURCE.rglob("__init__.py"))
+
+
+def of_page(path: Path) -> str:
+    return str(path.relative_to(ROOT))
 
 
 def test_the_page_of_hooks_is_fresh() -> None:
@@ -37,7 +53,7 @@ def test_every_hook_states_its_contract_in_five_parts(name: str) -> None:
     assert [part for part in parts if part not in text] == []
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+@pytest.mark.parametrize("page", PAGES, ids=of_page)
 def test_links_lead_to_files_that_exist(page: Path) -> None:
     targets = re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8"))
     assert [target for target in targets if not (page.parent / target).exists()] == []
@@ -83,3 +99,93 @@ def test_the_registration_shown_in_the_readme_is_found(tmp_path: Path) -> None:
     registry = discover({"ROS_PACKAGE_PATH": str(tmp_path)}, prefix=str(tmp_path), own=(), shares=(), distributions=())
     assert [registration.package for registration in registry.registrations] == ["mine"]
     assert registry.problems == ()
+
+
+@pytest.mark.parametrize("path", MAPS, ids=of_page)
+def test_the_map_of_a_folder_names_everything_in_it(path: Path) -> None:
+    text = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
+    files = [each.stem for each in path.parent.glob("*.py") if not each.stem.startswith("__")]
+    folders = [each.parent.name for each in path.parent.glob("*/__init__.py")]
+    assert [name for name in sorted([*files, *folders]) if f"``{name}``" not in text] == []
+
+
+def test_the_index_of_rooms_names_every_room_and_links_every_page() -> None:
+    text = INDEX.read_text(encoding="utf-8")
+    assert sorted(re.findall(r"^\| \[?(\w+)\]?(?:\(\w+\.md\))? \|", text, re.MULTILINE)) == sorted([*ROOMS, "room"])
+    assert sorted(re.findall(r"\]\((\w+)\.md\)", text)) == [page.stem for page in ROOM_PAGES]
+
+
+def examples(page: Path) -> List[Tuple[str, str]]:
+    """List a page's blocks of Python, each with the block of text after it, which is what it prints."""
+    pattern = r"```python\n(.*?)```(?:\n+```text\n(.*?)```)?"
+    return re.findall(pattern, page.read_text(encoding="utf-8"), re.DOTALL)
+
+
+@pytest.mark.parametrize("page", ROOM_PAGES, ids=of_page)
+def test_a_page_of_a_room_has_an_example(page: Path) -> None:
+    assert examples(page)
+
+
+@pytest.mark.parametrize(
+    ("page", "code", "printed"),
+    [
+        pytest.param(page, code, printed, id=f"{page.stem}-{number}")
+        for page in ROOM_PAGES
+        for number, (code, printed) in enumerate(examples(page))
+    ],
+)
+def test_examples_on_pages_of_rooms_run_and_print_what_they_say(
+    page: Path, code: str, printed: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    said = io.StringIO()
+    with contextlib.redirect_stdout(said):
+        exec(compile(code, str(page), "exec"), {"__name__": "example"})
+    assert said.getvalue() == printed
+
+
+def sessions() -> List[Tuple[str, List[str]]]:
+    """List the blocks of commands that begin with mrta, each with the page it stands on."""
+    return [
+        (of_page(page), re.findall(r"^\$ (mrta .+)$", block, re.MULTILINE))
+        for page in PAGES
+        for block in re.findall(r"```console\n(\$ mrta .*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    ]
+
+
+@pytest.mark.parametrize(("page", "commands"), sessions(), ids=[" ".join(commands) for _, commands in sessions()])
+def test_commands_on_pages_do_their_work(page: str, commands: List[str], tmp_path: Path) -> None:
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(ROOT / "src"), os.environ.get("PYTHONPATH", "")])}
+    for command in commands:
+        words = [sys.executable, "-m", "rqt_mrta_py", *shlex.split(command, comments=True)[1:]]
+        done = subprocess.run(words, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+        assert (done.returncode, page) == (0, page), f"{command}: {done.stderr}"
+
+
+def exists(name: str) -> bool:
+    """Tell whether a dotted name of this project is a module, or something in one."""
+    module, rest = name, []
+    while module:
+        try:
+            found = importlib.import_module(module)
+        except ModuleNotFoundError:
+            module, _, last = module.rpartition(".")
+            rest.insert(0, last)
+            continue
+        for part in rest:
+            if not hasattr(found, part):
+                return False
+            found = getattr(found, part)
+        return True
+    return False
+
+
+@pytest.mark.parametrize("page", [*ROOM_PAGES, INDEX], ids=of_page)
+def test_what_pages_of_rooms_name_exists(page: Path) -> None:
+    """Files are named from the root or from the sources."""
+    text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+    files = re.findall(r"`([\w.-]+/[\w./-]+\.(?:py|xml|yaml|msg|md))`", text)
+    roots = (ROOT, SOURCE)
+    missing = [name for name in files if not any((root / name).exists() for root in roots)]
+    missing += [name for name in re.findall(r"`(rqt_mrta_py(?:\.\w+)+)`", text) if not exists(name)]
+    assert missing == []

@@ -9,6 +9,7 @@
   ``foremost``: what parts are drawn with
 * ``markers``: the scene for RViz and its like
 * ``encode``, ``film``: PNG and JPEG, as bytes and as files; films
+* ``libraries``: the doors to the drawing libraries
 * ``plugin``: registers the pictures
 """
 

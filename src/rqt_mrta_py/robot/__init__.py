@@ -8,6 +8,7 @@
 * ``commands``: a behaviour's commands as messages
 * ``notices``: task progress and log lines as messages
 * ``navigation``: the Navigator on an occupancy grid
+* ``plugin``: registers the planner
 """
 
 from __future__ import annotations

@@ -8,6 +8,8 @@
 * ``meetings``: who is in whom, of those that may be
 * ``collisions``: push-out, contacts
 * ``sight``: what a range finder would see
+* ``loose_bodies``: which loose bodies there are, who carries them
+* ``scene``: what is built from a setup, and one tick of it
 * ``world``: all of it behind the Protocol ``hooks.World``
 """
 
