@@ -14,7 +14,7 @@ from rqt_mrta_py.model import ApplicationRobot, ApplicationSpec, Event, Mission,
 from rqt_mrta_py.supervisor import Supervisor
 from rqt_mrta_py.supervisor.plugin import mrta_register_incident_rules, mrta_register_statistics
 from rqt_mrta_py.transport import Dispatcher, RosCodec
-from rqt_mrta_py.transport.bag_reader import read_bag
+from rqt_mrta_py.transport.bags.reader import read_bag
 
 ROBOTS = ("robot1", "robot2")
 TASKS = ("patrol", "inspect")

@@ -12,8 +12,9 @@ import pytest
 
 from rqt_mrta_py.errors import MissingDependencyError, TransportError
 from rqt_mrta_py.hooks import Connection, Stamped
-from rqt_mrta_py.transport import BagWriter, Compression, RosCodec, bag_writer, read_bag, read_bag_info
-from rqt_mrta_py.transport.chunk_walk import ChunkWalk
+from rqt_mrta_py.transport import BagWriter, Compression, RosCodec, read_bag, read_bag_info
+from rqt_mrta_py.transport.bags import writer as bag_writer
+from rqt_mrta_py.transport.bags.chunk_walk import ChunkWalk
 from tests.transport.support import ROOT, ROS_PYTHON, lookup, require_ros, run_ros
 
 COMPRESSIONS = list(Compression)

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Stamped
 from rqt_mrta_py.transport import BagWriter, Compression
-from rqt_mrta_py.transport.chunk_walk import ChunkWalk
-from rqt_mrta_py.transport.compression import compress
+from rqt_mrta_py.transport.bags.chunk_walk import ChunkWalk
+from rqt_mrta_py.transport.bags.compression import compress
 from tests.transport.bag_bytes import MAGIC, bag, connection_record, record, stamp, u32
 
 CONNECTIONS = [connection_record(0, "/a", callerid="/n", latching="1"), connection_record(1, "/b")]

@@ -18,8 +18,8 @@ import pytest
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Stamped
 from rqt_mrta_py.transport import BagWriter, Compression, read_bag
-from rqt_mrta_py.transport.bag_records import MAGIC, file_header
-from rqt_mrta_py.transport.chunk_walk import ChunkWalk
+from rqt_mrta_py.transport.bags.chunk_walk import ChunkWalk
+from rqt_mrta_py.transport.bags.records import MAGIC, file_header
 from tests.transport.endless import REPORT, endless
 from tests.transport.support import ROOT, require_ros, run_ros
 

@@ -4,21 +4,19 @@
 * ``patterns``, ``fitting``, ``dispatch``: hearing a stream
 * ``embedded``: the bus of simulated runs
 * ``batches``: from process to process
-* ``bag_writer``, ``bag_chunks``, ``bag_records``, ``compression``: bags as they are recorded
-* ``bag_reader``: bags as they are read
-* ``chunk_walk``, ``bag_scan``, ``bag_connections``, ``bag_faults``: what can be read of damaged ones
+* ``bags``: as they are recorded, as they are read, whole or not
 * ``rosbags_door``: the only place that imports rosbags
 """
 
 from __future__ import annotations
 
-from rqt_mrta_py.transport.bag_faults import BagFault
-from rqt_mrta_py.transport.bag_reader import BagInfo, read_bag, read_bag_info
-from rqt_mrta_py.transport.bag_writer import BagWriter
+from rqt_mrta_py.transport.bags.chunk_walk import ChunkWalk
+from rqt_mrta_py.transport.bags.compression import Compression
+from rqt_mrta_py.transport.bags.faults import BagFault
+from rqt_mrta_py.transport.bags.reader import BagInfo, read_bag, read_bag_info
+from rqt_mrta_py.transport.bags.writer import BagWriter
 from rqt_mrta_py.transport.batches import BatchPacker, BatchUnpacker
-from rqt_mrta_py.transport.chunk_walk import ChunkWalk
 from rqt_mrta_py.transport.codec.ros_codec import RosCodec
-from rqt_mrta_py.transport.compression import Compression
 from rqt_mrta_py.transport.dispatch import Dispatcher
 from rqt_mrta_py.transport.embedded.bus import Bus
 from rqt_mrta_py.transport.embedded.node import Node

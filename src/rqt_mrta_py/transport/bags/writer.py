@@ -16,8 +16,9 @@ from typing import Dict, List, NamedTuple, Optional, Type
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Connection, Stamped
-from rqt_mrta_py.transport.bag_chunks import Pending, Target, build_chunk
-from rqt_mrta_py.transport.bag_records import (
+from rqt_mrta_py.transport.bags.chunks import Pending, Target, build_chunk
+from rqt_mrta_py.transport.bags.compression import Compression, compress
+from rqt_mrta_py.transport.bags.records import (
     FILE_HEADER_END,
     MAGIC,
     MESSAGE_OVERHEAD,
@@ -26,7 +27,6 @@ from rqt_mrta_py.transport.bag_records import (
     connection_record,
     file_header,
 )
-from rqt_mrta_py.transport.compression import Compression, compress
 
 __all__ = ["BagWriter"]
 

@@ -6,7 +6,7 @@ import re
 import struct
 from typing import BinaryIO, Dict, Mapping, NamedTuple, Optional
 
-from rqt_mrta_py.transport.bag_records import (
+from rqt_mrta_py.transport.bags.records import (
     OP_CHUNK,
     OP_CHUNK_INFO,
     OP_CONNECTION,

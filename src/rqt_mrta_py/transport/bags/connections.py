@@ -7,8 +7,8 @@ import struct
 from typing import BinaryIO, Dict, Mapping, Optional
 
 from rqt_mrta_py.hooks import Connection
-from rqt_mrta_py.transport.bag_records import OP_CONNECTION, parse_pairs
-from rqt_mrta_py.transport.bag_scan import read_record
+from rqt_mrta_py.transport.bags.records import OP_CONNECTION, parse_pairs
+from rqt_mrta_py.transport.bags.scan import read_record
 
 __all__ = ["ConnectionTable"]
 

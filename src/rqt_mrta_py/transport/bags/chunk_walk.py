@@ -14,9 +14,10 @@ from typing import BinaryIO, Iterator, List, NamedTuple, Optional
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Stamped
-from rqt_mrta_py.transport.bag_connections import ConnectionTable
-from rqt_mrta_py.transport.bag_faults import BagFault, BagFaults
-from rqt_mrta_py.transport.bag_records import (
+from rqt_mrta_py.transport.bags.compression import Compression, decompress
+from rqt_mrta_py.transport.bags.connections import ConnectionTable
+from rqt_mrta_py.transport.bags.faults import BagFault, BagFaults
+from rqt_mrta_py.transport.bags.records import (
     MAGIC,
     OP_CHUNK,
     OP_CHUNK_INFO,
@@ -24,8 +25,7 @@ from rqt_mrta_py.transport.bag_records import (
     OP_FILE_HEADER,
     OP_MESSAGE,
 )
-from rqt_mrta_py.transport.bag_scan import LARGEST_RECORD, Record, find_record, follows, read_record
-from rqt_mrta_py.transport.compression import Compression, decompress
+from rqt_mrta_py.transport.bags.scan import LARGEST_RECORD, Record, find_record, follows, read_record
 
 __all__ = ["ChunkWalk"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import struct
 from typing import Dict, List, NamedTuple, Sequence, Tuple
 
-from rqt_mrta_py.transport.bag_records import MESSAGE_OVERHEAD, index_prefix, message_prefix, stamp
+from rqt_mrta_py.transport.bags.records import MESSAGE_OVERHEAD, index_prefix, message_prefix, stamp
 
 __all__ = ["Chunk", "Pending", "Target", "build_chunk"]
 
