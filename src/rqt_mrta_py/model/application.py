@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Optional, Tuple
+from functools import cached_property
+from typing import Mapping, Optional, Tuple
 
 from rqt_mrta_py.model.architecture import LaunchTemplate
 from rqt_mrta_py.model.parameters import ConfigTemplate
@@ -55,7 +56,10 @@ class ApplicationSpec:
         Returns:
             Those that this robot is given, in the order of ``tasks``; all of them if the application names none for it.
         """
-        for robot in self.robots:
-            if robot.id == robot_id and robot.tasks:
-                return tuple(task for task in tasks if task.id in robot.tasks)
-        return tasks
+        given = self._given.get(robot_id)
+        return tuple(task for task in tasks if task.id in given) if given else tasks
+
+    @cached_property
+    def _given(self) -> Mapping[str, Tuple[str, ...]]:
+        """Ids of the tasks of each robot: looked up for each robot of teams of thousands."""
+        return {robot.id: robot.tasks for robot in self.robots}

@@ -1,7 +1,7 @@
 """A simulated run: the team's side, the watching side, and the loop that joins them.
 
 * ``mission``: from what the user asks for to a finished run: the loop
-* ``embedded``, ``team``: the team's side: world, bus and every robot's host, stepped by the tick
+* ``embedded``, ``team``: the team's side: world, bus and every robot's host, stepped by the tick; ``hosts`` makes these
 * ``watch``: the watching side: supervisor, recorder, pictures; ``watch_process`` puts it on another core
 * ``clock``: mission time as a tick; ``chance``: seeded generators; ``selection``: part of a team, another world
 * ``collector``: Python's garbage collector during a mission

@@ -1,0 +1,135 @@
+"""The hosts of a simulated team: from what plugins register to each robot's agent, behaviours and navigator."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, List, Mapping, Sequence
+
+from rqt_mrta_py.app.guard import GuardedNavigator, guarded_allocators, made
+from rqt_mrta_py.app.run.chance import Purpose, generator
+from rqt_mrta_py.errors import RobotError, UsageError
+from rqt_mrta_py.hooks import (
+    Agent,
+    AgentFactory,
+    AgentSetup,
+    Allocator,
+    Behaviour,
+    BehaviourFactory,
+    BehaviourSetup,
+    PlannerFactory,
+    PlannerSetup,
+    SensoryEvaluatorFactory,
+)
+from rqt_mrta_py.hooks.manager import PluginManager
+from rqt_mrta_py.model import Mission, Task
+from rqt_mrta_py.robot import HostSetup, RobotHost
+from rqt_mrta_py.sim import Simulation
+
+__all__ = ["HostMaker"]
+
+_AGENT = ("rate", "subscriptions", "step")
+_BEHAVIOUR = ("subscriptions", "applicable", "cost", "start", "step")
+_PLANNER = ("path", "cost_field", "observe")
+"""What each of these must have."""
+
+
+class HostMaker:
+    """Makes the hosts of one team; what all robots share is looked up once.
+
+    Args:
+        mission: team, tasks, parameters.
+        seed: of the run.
+        simulation: holds the simulated hardware.
+        manager: plugins, loaded.
+
+    Raises:
+        UsageError: nobody provides agents for the mission's architecture, or the planner that the scenario names.
+    """
+
+    def __init__(self, mission: Mission, seed: int, simulation: Simulation, manager: PluginManager) -> None:
+        self._mission = mission
+        self._seed = seed
+        self._scenario = simulation.scenario
+        self._models = {name: robot.model for name, robot in simulation.robots.items()}
+        self._own_capabilities = {robot.id: robot.capabilities for robot in simulation.scenario.robots}
+        self._team = tuple(robot.id for robot in mission.application.robots)
+        self._tasks = frozenset(task.id for task in (*mission.tasks, *mission.later_tasks))
+        self._behaviours: Mapping[str, BehaviourFactory] = manager.registered("mrta_register_behaviours")
+        self._evaluators: Mapping[str, SensoryEvaluatorFactory] = manager.registered("mrta_register_sensory_evaluators")
+        self._allocators: Mapping[str, Allocator] = guarded_allocators(manager.registered("mrta_register_allocators"))
+        self._planner = _planner(self._scenario.planner, manager.registered("mrta_register_planners"))
+        self._agent = _agent_factory(mission.architecture.package, manager.registered("mrta_register_agents"))
+
+    def host(self, robot_id: str) -> RobotHost:
+        """Make one robot's host, with its agent and behaviours.
+
+        Raises:
+            RobotError: the robot cannot carry out a task it is given.
+            HookError: planner, behaviour or agent cannot be made.
+        """
+        tasks, later_tasks = self._mission.tasks_of(robot_id), self._mission.later_tasks_of(robot_id)
+        every_task = (*tasks, *later_tasks)
+        behaviours = self._make_behaviours(robot_id, every_task)
+        agent_setup = AgentSetup(
+            robot_id=robot_id,
+            team=self._team,
+            tasks=tasks,
+            parameters=self._mission.parameters.get(robot_id, {}),
+            random=generator(self._seed, robot_id, Purpose.AGENT),
+            evaluators=self._evaluators,
+            allocators=self._allocators,
+            later_tasks=later_tasks,
+        )
+        who = f"{robot_id}: agent of {self._mission.architecture.package}"
+        agent: Agent = made(who, self._agent, agent_setup, *_AGENT)
+        return RobotHost(
+            HostSetup(
+                robot_id,
+                agent,
+                behaviours,
+                tasks,
+                self._scenario.control_rate,
+                later_tasks=later_tasks,
+                capabilities=self._models[robot_id].capabilities.union(self._own_capabilities[robot_id]),
+                others_tasks=self._tasks.difference(task.id for task in every_task),
+            )
+        )
+
+    def _make_behaviours(self, robot_id: str, tasks: Sequence[Task]) -> Dict[str, Behaviour]:
+        """Make one robot's behaviours, one for each kind of task, round one navigator."""
+        for task in tasks:
+            if task.kind not in self._behaviours:
+                raise RobotError(
+                    f"{robot_id}: task {task.id!r}: no plugin provides a behaviour for its kind {task.kind!r}; "
+                    f"there are behaviours for: {_listed(self._behaviours)}"
+                )
+        model, scenario = self._models[robot_id], self._scenario
+        who = f"{robot_id}: planner {scenario.planner}"
+        planner_setup = PlannerSetup(scenario.arena, scenario.obstacles, model.radius)
+        setup = BehaviourSetup(
+            robot_id=robot_id,
+            model=model,
+            navigator=GuardedNavigator(who, made(who, self._planner, planner_setup, *_PLANNER)),
+            random=generator(self._seed, robot_id, Purpose.BEHAVIOUR),
+        )
+        kinds: List[str] = sorted({task.kind for task in tasks})
+        return {
+            kind: made(f"{robot_id}: behaviour {kind!r}", self._behaviours[kind], setup, *_BEHAVIOUR) for kind in kinds
+        }
+
+
+def _planner(name: str, factories: Mapping[str, PlannerFactory]) -> PlannerFactory:
+    if name not in factories:
+        raise UsageError(f"scenario: planner: no plugin provides {name!r}; there are: {_listed(factories)}")
+    return factories[name]
+
+
+def _agent_factory(package: str, factories: Mapping[str, AgentFactory]) -> AgentFactory:
+    if package not in factories:
+        raise UsageError(
+            f"{package}: no plugin provides agents for this architecture; there are agents for: {_listed(factories)}"
+        )
+    return factories[package]
+
+
+def _listed(names: Mapping[str, Any]) -> str:
+    return ", ".join(sorted(names)) or "none"
