@@ -7,7 +7,7 @@ from typing import Dict, Iterable, Mapping, TypeVar
 from rqt_mrta_py.supervisor.robots import RobotWatch
 from rqt_mrta_py.supervisor.tasks import TaskWatch
 
-__all__ = ["Copies", "shown"]
+__all__ = ["Copies", "watches_in"]
 
 _Watch = TypeVar("_Watch", RobotWatch, TaskWatch)
 
@@ -29,7 +29,7 @@ class Copies(Dict[str, _Watch]):
         return copied
 
 
-def shown(watches: Dict[str, _Watch]) -> Iterable[_Watch]:
+def watches_in(watches: Dict[str, _Watch]) -> Iterable[_Watch]:
     """Give watches in their order; of copies the originals where nothing was touched."""
     if isinstance(watches, Copies):
         return {**watches.originals, **watches}.values()

@@ -27,7 +27,7 @@ from rqt_mrta_py.model import (
 )
 from rqt_mrta_py.supervisor.agenda import Agenda, Due, due_after
 from rqt_mrta_py.supervisor.allocations import AllocationBook, Hold
-from rqt_mrta_py.supervisor.copies import Copies, shown
+from rqt_mrta_py.supervisor.copies import Copies, watches_in
 from rqt_mrta_py.supervisor.robots import RobotWatch
 from rqt_mrta_py.supervisor.tasks import TaskWatch, state_when_held
 
@@ -246,11 +246,11 @@ class Team:
 
     def robot_records(self, end: float) -> Tuple[RobotRecord, ...]:
         """Give all robots up to a time [s], in the application's order, then by first sight."""
-        return tuple(robot.record(end) for robot in shown(self.robots))
+        return tuple(robot.record(end) for robot in watches_in(self.robots))
 
     def task_records(self, end: float) -> Tuple[TaskRecord, ...]:
         """Give all tasks up to a time [s], in the mission's order, then by first sight."""
-        return tuple(task.record(end) for task in shown(self.tasks))
+        return tuple(task.record(end) for task in watches_in(self.tasks))
 
     def allocation_records(self, end: float) -> Tuple[Allocation, ...]:
         """Give all allocations up to a time [s], by start, then by the order in which they began."""
