@@ -65,9 +65,9 @@ def mounted(rays, name="robot1"):
 def test_world_is_asked_once_a_tick_for_all_robots_that_want_equal_rays():
     world = CountingWorld()
     simulated = simulation([robot(1), robot(2), robot(3)], world)
-    simulated.sense(0, 1.0)
-    simulated.sense(1, 1.05)
-    simulated.sense(2, 1.1)
+    list(simulated.sense(0, 1.0))
+    list(simulated.sense(1, 1.05))
+    list(simulated.sense(2, 1.1))
     assert world.asked == [(["robot1", "robot2", "robot3"], 4, 4.0)] * 2
 
 
@@ -75,14 +75,14 @@ def test_world_is_asked_apart_for_rays_that_differ():
     world = CountingWorld()
     longer = SensorSetup("range_finder", "scan", 10.0, {"rays": 4, "max_range": 6.0})
     more = SensorSetup("range_finder", "scan", 5.0, {"rays": 5})
-    simulation([robot(1), robot(2, longer), robot(3, more, SCAN)], world).sense(0, 1.0)
+    list(simulation([robot(1), robot(2, longer), robot(3, more, SCAN)], world).sense(0, 1.0))
     assert world.asked == [(["robot1", "robot3"], 4, 4.0), (["robot2"], 4, 6.0), (["robot3"], 5, 4.0)]
 
 
 def test_each_sensor_is_handed_the_row_of_its_robot():
     lidar = SensorSetup("lidar", "seen", 10.0)
     extra = {"lidar": lambda context: Lidar(RayPattern(np.array([0.0, 1.0]), 9.0))}
-    said = simulation([robot(1, lidar), robot(2, lidar)], CountingWorld(), extra=extra).sense(0, 1.0)
+    said = list(simulation([robot(1, lidar), robot(2, lidar)], CountingWorld(), extra=extra).sense(0, 1.0))
     handed = {robot_id: messages[0].fields["data"] for robot_id, messages in said}
     assert handed == {"robot1": [1.5, 1.51], "robot2": [2.5, 2.51]}
 
@@ -100,7 +100,7 @@ def test_stopped_robot_is_not_cast_for():
     stops = ScenarioEvent(0.0, ScenarioEventKind.ROBOT_STOPS, "robot1")
     simulated = simulation([robot(1), robot(2)], world, stops)
     simulated.begin_tick(0, 1.0)
-    simulated.sense(0, 1.0)
+    list(simulated.sense(0, 1.0))
     assert world.asked == [(["robot2"], 4, 4.0)]
 
 

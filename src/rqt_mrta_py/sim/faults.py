@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import Dict, Mapping, Sequence, Set, Tuple
+from typing import AbstractSet, Dict, Mapping, Sequence, Set, Tuple
 
 from rqt_mrta_py.hooks import Link, World
 from rqt_mrta_py.model import ScenarioEvent, ScenarioEventKind
@@ -64,14 +64,14 @@ class Faults:
         else:
             self._count(kind.undoes or kind, event.robot, 1 if kind.undoes is None else -1)
 
-    def stopped(self, robot_id: str) -> bool:
-        """Tell whether a robot stands still and is silent."""
-        return robot_id in self._stopped
+    @property
+    def stopped(self) -> AbstractSet[str]:
+        """The robots that stand still and are silent."""
+        return self._stopped
 
-    def clock_offset(self, robot_id: str, now: float) -> float:
-        """Give a robot's clock minus the true one [s], at a true time [s]."""
-        clock = self._clocks.get(robot_id)
-        return 0.0 if clock is None else clock.offset(now)
+    def clock_offsets(self, now: float) -> Mapping[str, float]:
+        """Give the clocks that were ever set, each minus the true one [s], at a true time [s]."""
+        return {robot_id: clock.offset(now) for robot_id, clock in self._clocks.items()}
 
     def _lasts(self, kind: ScenarioEventKind, robot_id: str) -> bool:
         return self._counts[kind, robot_id] > 0

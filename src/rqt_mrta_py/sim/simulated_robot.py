@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Callable, List, Mapping, Sequence, Tuple
+from operator import itemgetter
+from typing import TYPE_CHECKING, Callable, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import (
@@ -30,6 +31,7 @@ COMMAND_TIMEOUT = 0.5
 """A robot stands still once its newest command is older than this [s]."""
 
 _CMD_VEL = Subscription("cmd_vel", "geometry_msgs/Twist", ("linear/x", "linear/y", "angular/z"))
+_velocity = itemgetter(*_CMD_VEL.fields)
 _ROUNDING = 1e-6
 _STILL = Twist()
 
@@ -71,6 +73,7 @@ class SimulatedRobot:
         self.speed_factor = 1.0
         self.mounts: Sequence[Mount] = _mount_all(setup, model, sensors, control_rate, random)
         self._transforms = TransformSource(setup.id)
+        self._asked: Optional[Tuple[float, ...]] = None
         self._command = _STILL
         self._commanded_at = -math.inf
 
@@ -105,8 +108,13 @@ class SimulatedRobot:
             What the robot publishes, in the order of its sensors, transforms last.
         """
         measured: List[Outgoing] = []
+        unseen: Optional[SensorMoment] = None
         for one in due:
-            measured.extend(one.measure(SensorMoment(now, truth, seen.get(one), world)))
+            if one.rays is None:
+                unseen = unseen or SensorMoment(now, truth, None, world)
+                measured.extend(one.measure(unseen))
+            else:
+                measured.extend(one.measure(SensorMoment(now, truth, seen[one], world)))
         measured.extend(self._transforms.derive(now, measured))
         return measured
 
@@ -121,6 +129,7 @@ class SimulatedRobot:
     def stop(self) -> None:
         """Fall silent and stand still; what was commanded is forgotten."""
         self.is_stopped = True
+        self._asked = None
         self._command = _STILL
 
     def resume(self) -> None:
@@ -131,8 +140,10 @@ class SimulatedRobot:
         """Take a command; one that is not finite means to stand still."""
         if self.is_stopped:
             return
-        vx, vy, wz = (heard.fields[path] for path in _CMD_VEL.fields)
-        self._command = _limit(self.model, vx, vy, wz) if math.isfinite(vx + vy + wz) else _STILL
+        asked = _velocity(heard.fields)
+        if asked != self._asked:
+            self._asked = asked
+            self._command = _limit(self.model, *asked) if math.isfinite(sum(asked)) else _STILL
         self._commanded_at = heard.receipt
 
 

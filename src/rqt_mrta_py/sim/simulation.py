@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, AbstractSet, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.config.scenario.events import event_problems
 from rqt_mrta_py.errors import SimError
@@ -16,7 +16,7 @@ from rqt_mrta_py.hooks import (
     WorldFactory,
     WorldSetup,
 )
-from rqt_mrta_py.model import Pose, ScenarioEvent, ScenarioSpec
+from rqt_mrta_py.model import Pose, ScenarioEvent, ScenarioSpec, Twist
 from rqt_mrta_py.sim.faults import Faults
 from rqt_mrta_py.sim.mount import cast_together
 from rqt_mrta_py.sim.placement import placement_problems
@@ -83,7 +83,8 @@ class Simulation:
         self._names = list(self.robots)
         self._events = in_order(scenario)
         self._next_event = 0
-        self._now = 0.0
+        self._clock_offsets: Mapping[str, float] = {}
+        self._driven: Dict[str, Twist] = {}
         self._places: Optional[Mapping[str, Pose]] = None
         built = build_links(scenario, self._events, links, self._pose, link_random or _no_chance)
         self.radio = Radio(built.first)
@@ -108,7 +109,6 @@ class Simulation:
         Returns:
             What happened, by time, then file order.
         """
-        self._now = now
         first = self._next_event
         while self._next_event < len(self._events):
             event = self._events[self._next_event]
@@ -116,35 +116,38 @@ class Simulation:
                 break
             self._faults.happen(event, now)
             self._next_event += 1
+        self._clock_offsets = self._faults.clock_offsets(now)
         return self._events[first : self._next_event]
 
-    def sense(self, tick: int, now: float) -> Sequence[Tuple[str, Sequence[Outgoing]]]:
-        """Let every robot sense.
+    def sense(self, tick: int, now: float) -> Iterator[Tuple[str, Sequence[Outgoing]]]:
+        """Let one robot after the other sense, for what a whole team senses is soon too much for a processor's cache.
 
         Args:
             tick: of the mission, from 0.
             now: the time [s].
 
-        Returns:
+        Yields:
             What each robot's driver publishes, in the scenario's order; robots that say nothing are left out.
         """
-        due = {robot_id: robot.due(tick) for robot_id, robot in self.robots.items()}
-        seen = cast_together(self.world, self.scenario.world, (mount for mounts in due.values() for mount in mounts))
-        said: List[Tuple[str, Sequence[Outgoing]]] = []
-        places = self._where_they_are()
-        for robot in self.robots.values():
-            mounts = due[robot.id]
-            if mounts:
-                truth = places[robot.id]
-                outgoing = robot.sense(now + self.clock_offset(robot.id), truth, mounts, seen, self.world)
-                if outgoing:
-                    said.append((robot.id, outgoing))
-        return said
+        due = [(robot, mounts) for robot in self.robots.values() for mounts in (robot.due(tick),) if mounts]
+        if not due:
+            return
+        seen = cast_together(self.world, self.scenario.world, (mount for _, mounts in due for mount in mounts))
+        places, offsets = self._where_they_are(), self._clock_offsets
+        for robot, mounts in due:
+            name = robot.id
+            outgoing = robot.sense(now + offsets.get(name, 0.0), places[name], mounts, seen, self.world)
+            if outgoing:
+                yield name, outgoing
 
     def act(self, now: float) -> None:
-        """Command the world what every robot was commanded, at a time [s]."""
-        for robot in self.robots.values():
-            self.world.command(robot.id, "base", robot.command(now + self.clock_offset(robot.id)))
+        """Command the world what robots were commanded, at a time [s]; what they do already is not said again."""
+        offsets, driven = self._clock_offsets, self._driven
+        for name, robot in self.robots.items():
+            twist = robot.command(now + offsets.get(name, 0.0))
+            if driven.get(name) is not twist:
+                driven[name] = twist
+                self.world.command(name, "base", twist)
 
     def step(self) -> None:
         """Let one tick pass in the world."""
@@ -153,14 +156,24 @@ class Simulation:
 
     def stopped(self, robot_id: str) -> bool:
         """Tell whether a robot stands still and silent; its host must be silent too."""
-        return self._faults.stopped(robot_id)
+        return robot_id in self._faults.stopped
+
+    @property
+    def stopped_robots(self) -> AbstractSet[str]:
+        """The robots that stand still and silent."""
+        return self._faults.stopped
 
     def clock_offset(self, robot_id: str) -> float:
         """Give a robot's clock minus the true one [s], at the tick that was begun last.
 
         A clock that is set back never runs backwards: it runs at half speed until it shows what it should.
         """
-        return self._faults.clock_offset(robot_id, self._now)
+        return self._clock_offsets.get(robot_id, 0.0)
+
+    @property
+    def clock_offsets(self) -> Mapping[str, float]:
+        """As ``clock_offset``, by robot; those whose clocks were never set are left out."""
+        return self._clock_offsets
 
     def close(self) -> None:
         """Free what the world holds; safe to call twice."""

@@ -79,7 +79,8 @@ class EmbeddedRun:
         except BaseException:
             self._simulation.close()
             raise
-        self._drivers = {member.id: member.driver_node for member in self._team}
+        self._members = {member.id: member for member in self._team}
+        self._drivers = [member.driver_node for member in self._team]
 
     @property
     def team_hears_supervisor(self) -> bool:
@@ -95,12 +96,12 @@ class EmbeddedRun:
         """Name what a benchmark times: object, method, and the part of the work that it is."""
         yield self._simulation.world, "step", "physics"
         yield self._simulation.world, "ranges", "rays"
-        yield self._simulation, "sense", "sensing"
+        for robot in self._simulation.robots.values():
+            yield robot, "sense", "sensing"
         yield self._simulation, "act", "sensing"
         yield self.bus, "publish", "bus"
         yield self.bus, "deliver", "bus"
         for member in self._team:
-            yield member.driver_node, "deliver", "bus"
             yield member.host, "step", "robots"
 
     def close(self) -> None:
@@ -126,9 +127,14 @@ class EmbeddedRun:
             order = order_of(event, self._tasks.get(event.task or ""), now)
             if order is not None:
                 self._operator_node.publish(order, now)
-        for member in self._team:
-            offset = self._simulation.clock_offset(member.id)
+        for robot_id, offset in self._simulation.clock_offsets.items():
+            member = self._members[robot_id]
             member.agent_node.clock_offset = member.driver_node.clock_offset = offset
+        if self._simulation.stopped_robots != self._paused:
+            self._pause_and_resume()
+
+    def _pause_and_resume(self) -> None:
+        for member in self._team:
             stopped = self._simulation.stopped(member.id)
             if stopped and member.id not in self._paused:
                 self._paused.add(member.id)
@@ -141,13 +147,14 @@ class EmbeddedRun:
 
     def _sense(self, tick: int, now: float) -> None:
         for robot_id, messages in self._simulation.sense(tick, now):
+            publish = self._members[robot_id].driver_node.publish
             for message in messages:
-                self._drivers[robot_id].publish(message, now)
+                publish(message, now)
 
     def _decide(self, tick: int, now: float) -> None:
-        for member in self._team:
-            if member.id not in self._paused:
-                for message in member.host.step(tick, now + self._simulation.clock_offset(member.id)):
+        offsets, paused = self._simulation.clock_offsets, self._paused
+        for name, member in self._members.items():
+            if name not in paused:
+                for message in member.host.step(tick, now + offsets.get(name, 0.0)):
                     member.agent_node.publish(message, now)
-        for member in self._team:
-            member.driver_node.deliver(now)
+        self.bus.deliver(now, self._drivers)

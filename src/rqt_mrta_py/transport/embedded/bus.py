@@ -10,7 +10,7 @@ Nodes of one robot, and nodes of none, hear one another at once; between any oth
 from __future__ import annotations
 
 import struct
-from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Codec, Connection, Link, Stamped
@@ -31,10 +31,11 @@ _new_stamped = tuple.__new__
 class _Publisher:
     """A node's way onto a topic, with the nodes at its other end."""
 
-    __slots__ = ("connection", "header", "last", "latched", "node", "receivers", "seq", "topic", "version")
+    __slots__ = ("connection", "header", "last", "latched", "node", "receivers", "robot", "seq", "topic", "version")
 
     def __init__(self, node: Node, topic: Topic, connection: Connection, header: str) -> None:
         self.node = node
+        self.robot = node.robot
         self.topic = topic
         self.connection = connection
         self.latched = connection.latched
@@ -90,17 +91,19 @@ class Bus:
         """
         self._taps.append(callback)
 
-    def deliver(self, now: float) -> None:
-        """Let every node hear what is due; what is published meanwhile is heard in the next round.
+    def deliver(self, now: float, nodes: Optional[Sequence[Node]] = None) -> None:
+        """Let nodes hear what is due; what is published meanwhile is heard in the next round.
 
         Args:
             now: the time [s].
+            nodes: who hears, in this order; None: all, in the order in which they were made.
 
         Raises:
             ValueError: the bus's time is later already.
         """
         self.advance(now)
-        for node in [node for node in self._nodes.values() if node.inbox.collect(now)]:
+        hearers = self._nodes.values() if nodes is None else nodes
+        for node in [node for node in hearers if node.inbox.collect(now)]:
             node.hear()
 
     def publisher(self, node: Node, topic: str, type_name: str, latched: bool) -> _Publisher:
@@ -161,7 +164,7 @@ class Bus:
             message = Message(connection, ordinal, raw)
             if publisher.latched:
                 publisher.last = message
-            sender = publisher.node.robot
+            sender = publisher.robot
             for robot, inbox, hearings in receivers:
                 if robot == sender:
                     inbox.arrived.append((now, message, hearings))

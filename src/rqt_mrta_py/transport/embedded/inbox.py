@@ -5,7 +5,7 @@ from __future__ import annotations
 import heapq
 from collections import deque
 from operator import itemgetter
-from typing import Any, Callable, Deque, Dict, List, Mapping, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Deque, List, Mapping, NamedTuple, Optional, Tuple
 
 from rqt_mrta_py.hooks import Connection, FieldReader, Heard
 
@@ -21,13 +21,15 @@ class Message:
         self.connection = connection
         self.ordinal = ordinal
         self.raw = raw
-        self._read: Dict[Tuple[str, ...], Mapping[str, Any]] = {}
+        self._read: Tuple[Tuple[Tuple[str, ...], Mapping[str, Any]], ...] = ()
 
     def fields(self, paths: Tuple[str, ...], reader: FieldReader) -> Mapping[str, Any]:
         """Give value by path; everybody who asks for the same paths is handed the same mapping."""
-        fields = self._read.get(paths)
-        if fields is None:
-            fields = self._read[paths] = dict(zip(paths, reader(self.raw)))
+        for known, fields in self._read:
+            if known == paths:
+                return fields
+        fields = dict(zip(paths, reader(self.raw)))
+        self._read = (*self._read, (paths, fields))
         return fields
 
 
