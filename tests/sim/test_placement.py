@@ -102,7 +102,7 @@ def test_placement_in_an_arena_that_is_none_speaks_of_the_arena_only(arena, mess
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"size": (0.0, 1.0, 1.0)}, "obstacle crate: size must be finite and above 0 m (got (0.0, 1.0, 1.0))"),
+        ({"size": (0.0, 1.0, 1.0)}, "obstacle crate: size must be above 0 m, at most 1e+06 m (got (0.0, 1.0, 1.0))"),
         ({"pose": Pose(math.inf, 0.0)}, "obstacle crate: pose must be finite (got (inf, 0, 0))"),
         ({"shape": "star"}, "obstacle crate: no shape 'star'; give box or cylinder"),
     ],
@@ -142,3 +142,14 @@ def test_placement_of_thousands_on_one_spot_names_a_few_and_counts_the_rest():
     found = problems(*crowd)
     assert len(found) == 4999
     assert "overlaps robot1 by 0.4 m, robot2 by 0.4 m, robot3 by 0.4 m and 4996 more" in found[-1]
+
+
+def test_placement_of_what_is_too_far_or_too_large_to_be_computed_is_refused():
+    far = Obstacle("moon", Pose(3.8e8, 0.0), (3.5e6, 3.5e6, 1.0))
+    assert problems((0, 0), obstacles=[far]) == [
+        "obstacle moon: must lie within 1e+06 m of the origin (got pose (3.8e+08, 0, 0))",
+        "obstacle moon: size must be above 0 m, at most 1e+06 m (got (3500000.0, 3500000.0, 1.0))",
+    ]
+    assert problems((0, 0), arena=Arena(-5.0, -4.0, 5.0, 1e300)) == [
+        "arena: must lie within 1e+06 m of the origin (got min_x, min_y, max_x, max_y = (-5.0, -4.0, 5.0, 1e+300))"
+    ]

@@ -41,6 +41,11 @@ def test_schedule_keeps_its_rate_without_drift(control_rate, share, ticks):
     assert not gaps or max(gaps) - min(gaps) <= 1
 
 
+def test_schedule_of_less_than_once_in_a_mission_is_due_at_first():
+    """A rate below a millionth of one was never due."""
+    assert due(1e-9, 20, 3000) == [0]
+
+
 @pytest.mark.parametrize("rate", [0.0, -1.0, 20.5, math.nan, math.inf])
 def test_schedule_refuses_a_rate_that_ticks_cannot_keep(rate):
     with pytest.raises(ValueError, match=r"rate must be above 0, at most the control rate of 20 Hz \(got"):

@@ -13,6 +13,9 @@ __all__ = ["placement_problems"]
 _TOUCH = 1e-9
 """Overlaps smaller than this are rounding [m]."""
 
+_FARTHEST = 1e6
+"""Nothing lies farther from the origin, or is longer [m]; beyond, squares of distances lose what robots are made of."""
+
 
 def placement_problems(arena: Arena, obstacles: Sequence[Obstacle], robots: Sequence[PlacedRobot]) -> Sequence[str]:
     """Find what is wrong with arena, obstacles and start poses.
@@ -42,6 +45,8 @@ def _arena_problems(arena: Arena) -> Iterator[str]:
     sides = (arena.min_x, arena.min_y, arena.max_x, arena.max_y)
     if not (all(map(math.isfinite, sides)) and arena.min_x < arena.max_x and arena.min_y < arena.max_y):
         yield f"arena: must reach from a lower to a higher finite x and y (got min_x, min_y, max_x, max_y = {sides})"
+    elif max(map(abs, sides)) > _FARTHEST:
+        yield f"arena: must lie within {_FARTHEST:g} m of the origin (got min_x, min_y, max_x, max_y = {sides})"
     if not (math.isfinite(arena.wall_height) and arena.wall_height > 0):
         yield f"arena: wall_height must be above 0 m (got {arena.wall_height!r})"
 
@@ -50,8 +55,11 @@ def _obstacle_problems(obstacles: Sequence[Obstacle]) -> Iterator[str]:
     for obstacle in obstacles:
         if not _is_finite(obstacle.pose):
             yield f"obstacle {obstacle.id}: pose must be finite (got {_spell(obstacle.pose)})"
-        if not all(math.isfinite(side) and side > 0 for side in obstacle.size):
-            yield f"obstacle {obstacle.id}: size must be finite and above 0 m (got {obstacle.size})"
+        elif max(abs(obstacle.pose.x), abs(obstacle.pose.y)) > _FARTHEST:
+            where = _spell(obstacle.pose)
+            yield f"obstacle {obstacle.id}: must lie within {_FARTHEST:g} m of the origin (got pose {where})"
+        if not all(0 < side <= _FARTHEST for side in obstacle.size):
+            yield f"obstacle {obstacle.id}: size must be above 0 m, at most {_FARTHEST:g} m (got {obstacle.size})"
         if obstacle.shape not in ("box", "cylinder"):
             yield f"obstacle {obstacle.id}: no shape {obstacle.shape!r}; give box or cylinder"
 

@@ -25,7 +25,8 @@ class Schedule:
     def __init__(self, rate: float, control_rate: int) -> None:
         if not (math.isfinite(rate) and 0 < rate <= control_rate):
             raise ValueError(f"rate must be above 0, at most the control rate of {control_rate} Hz (got {rate!r})")
-        per_tick = Fraction(rate).limit_denominator(10**6) / control_rate
+        # Far below one time in a mission, the nearest such fraction is 0; keep the exact value then.
+        per_tick = (Fraction(rate).limit_denominator(10**6) or Fraction(rate)) / control_rate
         self._numerator, self._denominator = per_tick.numerator, per_tick.denominator
 
     def is_due(self, tick: int) -> bool:

@@ -157,7 +157,11 @@ def test_path_keeps_clear_and_costs_what_the_field_says(things: List[Obstacle], 
         (Arena(0.0, 0.0, 0.0, 8.0), {}, r"a length of 0\.0 m; it must be a finite number above 0"),
         (Arena(0.0, 0.0, 12.0, math.nan), {}, "a breadth of nan m"),
         (ROOM, {"resolution": 0.0}, r"a resolution of 0\.0 m"),
-        (ROOM, {"resolution": 0.001}, "at most 4000000 cells are accepted, so choose larger cells"),
+        (
+            ROOM,
+            {"resolution": 0.001},
+            "at most 4000000 cells are accepted: make the arena smaller, or the cells larger",
+        ),
         (ROOM, {"radius": -0.1}, r"a radius of -0\.1 m; it must be a finite number, 0 or above"),
         (ROOM, {"margin": math.inf}, "a margin of inf m"),
     ],
@@ -188,3 +192,16 @@ def test_grid_blocks_what_is_nearer_than_the_clearance() -> None:
     }
     # Turned by a quarter, it spans x 2.3..2.7 and y 1.5..3.5; with 0.3 m around it 2.0..3.0 and 1.2..3.8.
     assert free == {(2.25, 3.25): False, (1.95, 2.55): True, (2.55, 3.75): False, (2.55, 3.85): True}
+
+
+def test_what_one_robot_learns_of_the_map_is_not_known_to_another():
+    """Both hold one map, and the cost fields on it, until one of them learns more."""
+    first, second = (GridNavigator(ROOM, radius=RADIUS) for _ in range(2))
+    start, goal = Pose(4.0, 1.0), Pose(8.0, 1.0)
+    assert first.cost_field(goal).at(start) == second.cost_field(goal).at(start)
+    first.add_obstacle(WALL)
+    first.observe([(Pose(6.0, 7.0), 0.9)])
+    assert first.cost_field(goal).at(start) > 11.0
+    assert first.path(start, goal) is None
+    assert second.cost_field(goal).at(start) == pytest.approx(4.0, abs=0.15)
+    assert second.path(start, goal) == (goal,)

@@ -15,6 +15,9 @@ from rqt_mrta_py.errors import MrtaError
 
 __all__ = ["main"]
 
+_MOST_LINES = 40
+"""So much is said of what is wrong, unless more is asked for: what one robot lacks, ten thousand may lack too."""
+
 VERBS = ("list", "show", "run", "review", "salvage", "bench")
 
 _DESCRIPTION = "Supervise teams of robots that share out tasks among themselves (multi-robot task allocation)."
@@ -62,8 +65,12 @@ def _complain(message: str, verbose: int) -> None:
         import traceback
 
         traceback.print_exc()
-    for line in message.splitlines():
+    lines = message.splitlines()
+    shown = lines if verbose or len(lines) <= _MOST_LINES else lines[: _MOST_LINES - 1]
+    for line in shown:
         print(f"mrta: {line}", file=sys.stderr)
+    if len(shown) < len(lines):
+        print(f"mrta: and {len(lines) - len(shown)} more; -v tells them", file=sys.stderr)
 
 
 def _verb(arguments: Sequence[str]) -> Optional[str]:

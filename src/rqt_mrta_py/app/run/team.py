@@ -56,7 +56,8 @@ def build_team(mission: Mission, seed: int, simulation: Simulation, bus: Bus, ma
     maker = HostMaker(mission, seed, simulation, manager)
     team = []
     for robot in mission.application.robots:
-        host = maker.host(robot.id)
+        with manager.patience.at_work(f"the making of {robot.id}"):
+            host = maker.host(robot.id)
         agent_node = bus.node(f"/{robot.id}/agent", robot=robot.id)
         driver_node = bus.node(f"/{robot.id}/driver", robot=robot.id)
         patterns = []

@@ -7,6 +7,7 @@ the floor has columns.
 
 from __future__ import annotations
 
+import copy
 import math
 from typing import TYPE_CHECKING, Callable, List, Optional, Sequence, Tuple
 
@@ -44,8 +45,8 @@ class OccupancyGrid:
                 raise ValueError(f"a {name} of {value!r} m; it must be a finite number above 0")
         if (length / resolution) * (breadth / resolution) > _MOST_CELLS:
             raise ValueError(
-                f"an arena of {length:g} m x {breadth:g} m in cells of {resolution:g} m; "
-                f"at most {_MOST_CELLS} cells are accepted, so choose larger cells"
+                f"an arena of {length:g} m x {breadth:g} m in cells of {resolution:g} m; at most {_MOST_CELLS} cells "
+                "are accepted: make the arena smaller, or the cells larger"
             )
         # Square cells: the longer side gets a whole number of them.
         columns = max(1, math.ceil(length / resolution - 1e-9))
@@ -75,8 +76,13 @@ class OccupancyGrid:
         """One byte a cell, 1 where walls, obstacles or passing things block it."""
         return self._all_cells
 
+    def fork(self) -> OccupancyGrid:
+        """Give a grid of the same floor that changes for itself; what neither changes is held once."""
+        return copy.copy(self)
+
     def add_obstacle(self, obstacle: Obstacle) -> None:
         """Block what is nearer to a fixed body than the clearance; forgets passing things."""
+        self._fixed = self._fixed.copy()
         length, width = obstacle.size[0], obstacle.size[1]
         if obstacle.shape == "cylinder":
             reach = length / 2.0 + self._clearance

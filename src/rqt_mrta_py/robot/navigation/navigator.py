@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Dict, List, Optional, Sequence, Tuple
+from functools import lru_cache
+from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import CostField
 from rqt_mrta_py.model import Arena, Obstacle, Pose
@@ -24,6 +25,8 @@ class GridNavigator:
 
     Passing obstacles stand in the way of ``path`` but not in that of ``cost_field``: what a task costs is asked for
     plans that outlive them.
+
+    Robots that know the same map hold it once, and compute the cost field of a goal once, until one learns more.
 
     Args:
         arena: floor and walls.
@@ -52,16 +55,15 @@ class GridNavigator:
         for name, value in (("radius", radius), ("margin", margin)):
             if not (math.isfinite(value) and value >= 0.0):
                 raise ValueError(f"a {name} of {value!r} m; it must be a finite number, 0 or above")
-        self._grid = OccupancyGrid(arena, radius + margin, radius, resolution)
         self._reach = radius + margin + 0.5 if reach is None else reach
-        self._fields: Dict[int, _GridCostField] = {}
-        for obstacle in obstacles:
-            self._grid.add_obstacle(obstacle)
+        known = _known_map(arena, tuple(obstacles), radius + margin, radius, resolution)
+        self._grid = known.grid.fork()
+        self._fields = known.fields
 
     def add_obstacle(self, obstacle: Obstacle) -> None:
         """Put another fixed body on the map; passing obstacles are forgotten until the next ``observe``."""
         self._grid.add_obstacle(obstacle)
-        self._fields.clear()
+        self._fields = {}
 
     def observe(self, obstacles: Sequence[Tuple[Pose, float]]) -> None:
         """Replace the passing obstacles: centre in the frame ``map`` and radius [m] of each."""
@@ -87,12 +89,12 @@ class GridNavigator:
     def cost_field(self, goal: Pose) -> CostField:
         """Compute the length of the shortest way over the cells from everywhere at once; see hooks.Navigator."""
         cell = self._grid.nearest_free(goal.x, goal.y, self._reach, self._grid.known)
-        key = -1 if cell is None else cell
-        field = self._fields.get(key)
-        if field is None:
-            lengths = [] if cell is None else distances(self._grid.known, self._grid.width, cell)
-            field = self._fields[key] = _GridCostField(self._grid, self._grid.known, lengths, self._reach)
-        return field
+        lengths: Sequence[float] = ()
+        if cell is not None:
+            if cell not in self._fields:
+                self._fields[cell] = distances(self._grid.known, self._grid.width, cell)
+            lengths = self._fields[cell]
+        return _GridCostField(self._grid, self._grid.known, lengths, self._reach)
 
     def _pull(self, points: Sequence[Tuple[float, float]]) -> List[Tuple[float, float]]:
         grid = self._grid
@@ -117,6 +119,24 @@ class _GridCostField:
         if cell is None or math.isinf(self._lengths[cell]):
             return None
         return self._lengths[cell] * self._grid.resolution
+
+
+class _KnownMap(NamedTuple):
+    """What is known for good, not to be changed, and lengths by cell for each goal's cell asked for so far."""
+
+    grid: OccupancyGrid
+    fields: Dict[int, Sequence[float]]
+
+
+# A team of thousands knows one map; another one is that of a kind of robot of another size.
+@lru_cache(maxsize=4)
+def _known_map(
+    arena: Arena, obstacles: Tuple[Obstacle, ...], clearance: float, passing_clearance: float, resolution: float
+) -> _KnownMap:
+    grid = OccupancyGrid(arena, clearance, passing_clearance, resolution)
+    for obstacle in obstacles:
+        grid.add_obstacle(obstacle)
+    return _KnownMap(grid, {})
 
 
 def _with_headings(points: Sequence[Tuple[float, float]], last_yaw: float) -> Tuple[Pose, ...]:

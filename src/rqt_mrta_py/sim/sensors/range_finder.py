@@ -28,9 +28,9 @@ class RangeFinder:
         rays: how many, evenly spread, at most 3600; 36.
         fov: angle between first and last ray, centred on the heading; a full turn (2 pi, the default) has no last
             ray on top of the first [rad].
-        min_range, max_range: what can be measured; 0.05 and 4 [m].
-        noise: standard deviation at no distance; 0.01 [m].
-        noise_per_metre: what it grows by; 0.01 [m/m].
+        min_range, max_range: what can be measured, up to 1e6; 0.05 and 4 [m].
+        noise: standard deviation at no distance, up to 1000; 0.01 [m].
+        noise_per_metre: what it grows by, up to 1000; 0.01 [m/m].
         dropout: 0.005.
     """
 
@@ -39,11 +39,11 @@ class RangeFinder:
         rays = settings.whole("rays", 36, most=MOST_RAYS)
         fov = settings.number("fov", _FULL_TURN, above=True, most=_FULL_TURN + 1e-4)
         self._min_range = settings.number("min_range", 0.05)
-        self._max_range = settings.number("max_range", 4.0, above=True)
+        self._max_range = settings.number("max_range", 4.0, above=True, most=1e6)
         if self._max_range <= self._min_range:
             settings.refuse("max_range", self._max_range, f"must be above min_range ({self._min_range:g})")
-        self._noise = settings.number("noise", 0.01)
-        self._noise_per_metre = settings.number("noise_per_metre", 0.01)
+        self._noise = settings.number("noise", 0.01, most=1e3)
+        self._noise_per_metre = settings.number("noise_per_metre", 0.01, most=1e3)
         self._dropout = settings.number("dropout", 0.005, most=1.0)
         settings.finish()
         self._frame = f"{context.robot_id}/base_link"
