@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Dict, List, Sequence
+from typing import Dict, Optional, Sequence
 
 from rqt_mrta_py.hooks import Command, Outgoing
 from rqt_mrta_py.model import Twist
@@ -23,8 +23,10 @@ class Commander:
 
     def __init__(self) -> None:
         self._moving: Sequence[str] = ()
+        self._newest: Optional[Sequence[Command]] = None
+        self._said: Sequence[Outgoing] = ()
 
-    def publish(self, commands: Sequence[Command]) -> List[Outgoing]:
+    def publish(self, commands: Sequence[Command]) -> Sequence[Outgoing]:
         """Turn the commands of one tick into messages.
 
         Args:
@@ -36,6 +38,8 @@ class Commander:
         Raises:
             ValueError: two commands to one actuator, or a value of the wrong kind or not finite; names the actuator.
         """
+        if commands is self._newest:
+            return self._said
         messages: Dict[str, Outgoing] = {}
         for command in commands:
             if command.actuator in messages:
@@ -45,8 +49,12 @@ class Commander:
         for actuator in self._moving:
             if actuator not in messages:
                 messages[actuator] = _message(Command(actuator, Twist() if actuator == _BASE else 0.0))
+        stopping = len(messages) > len(commanded)
         self._moving = commanded
-        return list(messages.values())
+        self._said = tuple(messages.values())
+        # Only a tuple of the same commands says the same at the next tick.
+        self._newest = commands if commands.__class__ is tuple and not stopping else None
+        return self._said
 
 
 def _message(command: Command) -> Outgoing:

@@ -7,7 +7,7 @@ from typing import Any, Dict, Mapping
 
 from rqt_mrta_py.model import Pose
 
-__all__ = ["header", "pose_fields", "pose_of", "quaternion", "transform"]
+__all__ = ["as_transform", "header", "pose_fields", "pose_of", "quaternion", "transform_stamped"]
 
 _ZEROS: Mapping[str, float] = {}
 
@@ -39,10 +39,11 @@ def pose_of(fields: Mapping[str, Any]) -> Pose:
     return Pose(position.get("x", 0.0), position.get("y", 0.0), yaw)
 
 
-def transform(now: float, parent: str, child: str, pose: Mapping[str, Any]) -> Dict[str, Any]:
-    """Give a geometry_msgs/TransformStamped: where ``child`` stands in ``parent``, as a geometry_msgs/Pose."""
-    return {
-        "header": header(now, parent),
-        "child_frame_id": child,
-        "transform": {"translation": pose.get("position", _ZEROS), "rotation": pose.get("orientation", _ZEROS)},
-    }
+def as_transform(pose: Mapping[str, Any]) -> Dict[str, Any]:
+    """Give the geometry_msgs/Transform to where a geometry_msgs/Pose is."""
+    return {"translation": pose.get("position", _ZEROS), "rotation": pose.get("orientation", _ZEROS)}
+
+
+def transform_stamped(now: float, parent: str, child: str, transform: Mapping[str, Any]) -> Dict[str, Any]:
+    """Give a geometry_msgs/TransformStamped: where ``child`` stands in ``parent``, as a geometry_msgs/Transform."""
+    return {"header": {"stamp": now, "frame_id": parent}, "child_frame_id": child, "transform": transform}

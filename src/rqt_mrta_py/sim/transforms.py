@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections import abc
-from typing import Any, List, Mapping, Optional, Sequence
+from typing import Any, Mapping, Optional, Sequence
 
 from rqt_mrta_py.hooks import Outgoing
 from rqt_mrta_py.model import Pose, wrap_angle
-from rqt_mrta_py.sim.messages import pose_fields, pose_of, transform
+from rqt_mrta_py.sim.messages import as_transform, pose_fields, pose_of, transform_stamped
 
 __all__ = ["TransformSource", "odometry_origin"]
 
@@ -41,20 +41,20 @@ class TransformSource:
         if counted is not None:
             self._odometry = counted
         if located is not None and self._odometry is not None:
-            self._origin = pose_fields(odometry_origin(pose_of(located), pose_of(self._odometry)))
+            self._origin = as_transform(pose_fields(odometry_origin(pose_of(located), pose_of(self._odometry))))
         if counted is None:
             return ()
-        transforms: List[Mapping[str, Any]] = []
+        transforms = [transform_stamped(now, self._odom_frame, self._base_frame, as_transform(counted))]
         if self._origin is not None:
-            transforms.append(transform(now, "map", self._odom_frame, self._origin))
-        transforms.append(transform(now, self._odom_frame, self._base_frame, counted))
+            transforms.insert(0, transform_stamped(now, "map", self._odom_frame, self._origin))
         return (Outgoing("/tf", "tf2_msgs/TFMessage", {"transforms": transforms}),)
 
 
 def _inner(fields: Any, name: str) -> Mapping[str, Any]:
     """Give a part of a message, whose fields nobody has checked yet; one left out has none."""
     inner = fields.get(name, {})
-    return inner if isinstance(inner, abc.Mapping) else {}
+    # To be a Mapping is a question that takes long.
+    return inner if inner.__class__ is dict or isinstance(inner, abc.Mapping) else {}
 
 
 def odometry_origin(located: Pose, counted: Pose) -> Pose:

@@ -72,11 +72,16 @@ class RangeFinder:
             raise ValueError("a range finder was handed no ranges")
         noise = self._random.standard_normal(true.size)
         lost = self._random.random(true.size) < self._dropout
-        # Noise of a finite range, for infinity times a noise of nothing is no number.
-        noise *= self._noise + self._noise_per_metre * np.minimum(true, self._max_range)
-        measured = true + noise
-        measured[measured < self._min_range] = -np.inf
-        measured[lost | (measured > self._max_range)] = np.inf
+        # Noise of a finite range, for infinity times a noise of nothing is no number. In place, for so short a row
+        # takes less time than its making.
+        measured = np.minimum(true, self._max_range)
+        measured *= self._noise_per_metre
+        measured += self._noise
+        measured *= noise
+        measured += true
+        lost |= measured > self._max_range
+        np.putmask(measured, measured < self._min_range, -np.inf)
+        np.putmask(measured, lost, np.inf)
         fields = {
             "header": header(moment.now, self._frame),
             **self._constant,
