@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rqt_mrta_py.app.run.selection import with_robots
+from rqt_mrta_py.app.selection import with_robots
 from rqt_mrta_py.model import (
     ApplicationRobot,
     ApplicationSpec,

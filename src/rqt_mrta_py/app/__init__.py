@@ -4,7 +4,7 @@
 * ``observation``: supervisor, scene, panels and observers on one stream
 * ``run``: a simulated run; ``review_bag``: a recorded one; ``salvage_bag``: what is left of one
 * ``outputs``: what both leave
-* ``mission_message``: a mission as the first message of its bag
+* ``mission_message``: a mission as the first message of its bag; ``selection``: part of its team, another world
 * ``guard``, ``observers``: plugins' parts, told by name when they fail; ``interrupt``: Ctrl-C
 * ``catalogue``: what is registered
 * ``bench``: what can be measured

@@ -18,19 +18,16 @@ from rqt_mrta_py.app.outputs.pictures import PictureSchedule, period_in_ticks
 from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch
 from rqt_mrta_py.app.run.collector import rare_collections
 from rqt_mrta_py.app.run.embedded import EmbeddedRun
-from rqt_mrta_py.app.run.selection import first_robots, in_world
 from rqt_mrta_py.app.run.watch import Watcher, WatchPlan, open_watch
 from rqt_mrta_py.app.run.watch_process import open_watch_process
+from rqt_mrta_py.app.selection import first_robots, in_world
 from rqt_mrta_py.config import load_mission
 from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.hooks import Codec
 from rqt_mrta_py.model import Mission, ScenarioSpec
 from rqt_mrta_py.transport import Bus
 
-__all__ = ["Progress", "RunRequest", "run_mission"]
-
-Progress = Callable[[float, float], None]
-"""Told the mission time that has passed and the planned one [s]."""
+__all__ = ["RunRequest", "run_mission"]
 
 
 @dataclass(frozen=True)
@@ -68,13 +65,13 @@ class RunRequest:
     processes: Optional[int] = None
 
 
-def run_mission(host: Host, request: RunRequest, progress: Progress) -> MissionResult:
+def run_mission(host: Host, request: RunRequest, progress: Callable[[float, float], None]) -> MissionResult:
     """Run a mission and write its outputs.
 
     Args:
         host: registry and plugins.
         request: what the user asks for.
-        progress: told how far the run has come, at every tick.
+        progress: told the mission time that has passed and the planned one, at every tick [s].
 
     Returns:
         The finished run; one that the user interrupted is complete as far as it went.
