@@ -342,11 +342,10 @@ def test_simulation_names_everything_that_is_missing_with_what_there_is():
     with pytest.raises(SimError) as caught:
         simulation(scenario(robots=robots, world="bulet"), worlds=worlds, models={"diff_drive": DIFF_DRIVE})
     assert str(caught.value).splitlines() == [
-        "scenario: no world 'bulet'; did you mean bullet? there are: bullet, still",
-        "robot robot1: no robot model 'dif_drive'; did you mean diff_drive? there are: diff_drive",
-        "robot robot1: no sensor 'range_findr' for scan; did you mean range_finder? "
-        "there are: localiser, odometry, range_finder",
-        "robot robot2: no robot model 'hexapod'; there are: diff_drive",
+        "scenario: no world 'bulet'; nearest is 'bullet'",
+        "robot robot1: no robot model 'dif_drive'; nearest is 'diff_drive'",
+        "robot robot1: no sensor 'range_findr' for scan; nearest is 'range_finder'",
+        "robot robot2: no robot model 'hexapod'; accepted: diff_drive",
     ]
 
 
@@ -425,7 +424,7 @@ def test_simulation_tells_the_wrong_sensors_of_all_robots_at_once():
         ),
         (
             ScenarioEvent(1.0, KIND.RADIO_CHANGES, parameters={"kind": "losy"}),
-            "event radio_changes at 1 s: no radio 'losy'; did you mean lossy? there are: lossy, perfect",
+            "event radio_changes at 1 s: no radio 'losy'; nearest is 'lossy'",
         ),
         (
             ScenarioEvent(1.0, KIND.RADIO_CHANGES, parameters={"kind": "lossy", "loss": 2}),

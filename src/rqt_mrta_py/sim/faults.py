@@ -11,9 +11,10 @@ from rqt_mrta_py.sim.clocks import RobotClock
 from rqt_mrta_py.sim.radio import Radio
 from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
 
-__all__ = ["Faults"]
+__all__ = ["FREEZING", "Faults"]
 
-_FREEZING = (ScenarioEventKind.ROBOT_STOPS, ScenarioEventKind.ROBOT_STICKS)
+FREEZING = (ScenarioEventKind.ROBOT_STOPS, ScenarioEventKind.ROBOT_STICKS)
+"""While one of these lasts a robot stands still in its world, whatever it is commanded."""
 
 
 class Faults:
@@ -77,7 +78,7 @@ class Faults:
         return self._counts[kind, robot_id] > 0
 
     def _frozen(self, robot_id: str) -> bool:
-        return any(self._lasts(kind, robot_id) for kind in _FREEZING)
+        return any(self._lasts(kind, robot_id) for kind in FREEZING)
 
     def _count(self, kind: ScenarioEventKind, robot_id: str, step: int) -> None:
         """Count a beginning or an end, and do what follows when a trouble begins or ends by it."""

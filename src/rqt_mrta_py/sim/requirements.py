@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import difflib
 from typing import Collection, Dict, Iterable, Iterator, Mapping
 
 from rqt_mrta_py.hooks import LinkFactory, RobotModel, SensorFactory, WorldFactory
 from rqt_mrta_py.model import ScenarioEventKind, ScenarioSpec
+from rqt_mrta_py.sim.faults import FREEZING
 from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
+from rqt_mrta_py.wording import accepted
 
 __all__ = ["blind_sensors", "missing_capabilities", "missing_links", "missing_names"]
-
-_FREEZING = (ScenarioEventKind.ROBOT_STOPS, ScenarioEventKind.ROBOT_STICKS)
 
 
 def missing_names(
@@ -26,13 +25,14 @@ def missing_names(
         One line for each, in file order, with what there is.
     """
     if scenario.world not in worlds:
-        yield f"scenario: no world {scenario.world!r}{_offer(scenario.world, worlds)}"
+        yield f"scenario: no world {scenario.world!r}; {accepted(scenario.world, sorted(worlds))}"
     for robot in scenario.robots:
         if robot.model not in models:
-            yield f"robot {robot.id}: no robot model {robot.model!r}{_offer(robot.model, models)}"
+            yield f"robot {robot.id}: no robot model {robot.model!r}; {accepted(robot.model, sorted(models))}"
         for sensor in robot.sensors:
             if sensor.kind not in sensors:
-                yield f"robot {robot.id}: no sensor {sensor.kind!r} for {sensor.topic}{_offer(sensor.kind, sensors)}"
+                known = accepted(sensor.kind, sorted(sensors))
+                yield f"robot {robot.id}: no sensor {sensor.kind!r} for {sensor.topic}; {known}"
 
 
 def missing_links(scenario: ScenarioSpec, links: Mapping[str, LinkFactory]) -> Iterator[str]:
@@ -42,11 +42,11 @@ def missing_links(scenario: ScenarioSpec, links: Mapping[str, LinkFactory]) -> I
         One line for each, in file order, with what there is.
     """
     if scenario.radio.kind not in links:
-        yield f"scenario: no radio {scenario.radio.kind!r}{_offer(scenario.radio.kind, links)}"
+        yield f"scenario: no radio {scenario.radio.kind!r}; {accepted(scenario.radio.kind, sorted(links))}"
     for event in scenario.events:
         if event.kind is ScenarioEventKind.RADIO_CHANGES and event.parameters["kind"] not in links:
             kind = event.parameters["kind"]
-            yield f"event {event.kind.value} at {event.time:g} s: no radio {kind!r}{_offer(kind, links)}"
+            yield f"event {event.kind.value} at {event.time:g} s: no radio {kind!r}; {accepted(kind, sorted(links))}"
 
 
 def missing_capabilities(
@@ -61,7 +61,7 @@ def missing_capabilities(
     for robot in scenario.robots:
         needs.setdefault(f"drive:{models[robot.model].drive}", f"robot {robot.id}")
     for event in scenario.events:
-        if event.kind in _FREEZING:
+        if event.kind in FREEZING:
             needs.setdefault("freeze", f"event {event.kind.value} at {event.time:g} s")
     for capability, who in needs.items():
         if capability not in capabilities:
@@ -86,9 +86,3 @@ def blind_sensors(
 def _lack(who: str, name: str, capability: str, capabilities: Collection[str]) -> str:
     offered = ", ".join(sorted(capabilities)) or "nothing"
     return f"{who}: world {name} lacks {capability}; it can do: {offered}"
-
-
-def _offer(name: str, known: Collection[str]) -> str:
-    near = difflib.get_close_matches(name, sorted(known), n=1)
-    hint = f"did you mean {near[0]}? " if near else ""
-    return f"; {hint}there are: {', '.join(sorted(known)) or 'none'}"

@@ -102,8 +102,7 @@ def test_range_finder_tells_all_wrong_parameters_at_once():
         f"{where} fov: must be a number above 0, at most 6.28329 (got -1.0)",
         f"{where} noise: must be a number at least 0, at most 1000 (got 'much')",
         f"{where} dropout: must be a number at least 0, at most 1 (got 1.5)",
-        f"{where} max_rnge: unknown; did you mean max_range? there are: dropout, fov, max_range, min_range, noise, "
-        "noise_per_metre, rays",
+        f"{where} max_rnge: unknown; nearest is 'max_range'",
     ]
 
 

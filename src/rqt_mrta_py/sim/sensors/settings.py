@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 import math
 from typing import Any, List, Set
 
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import SensorContext
+from rqt_mrta_py.wording import accepted
 
 __all__ = ["SensorSettings"]
 
@@ -71,10 +71,8 @@ class SensorSettings:
             SimError: a value is not acceptable, or a parameter is unknown; one line for each.
         """
         for name in sorted(set(self._values) - self._asked, key=str):
-            near = difflib.get_close_matches(str(name), sorted(self._asked), n=1)
-            hint = f"did you mean {near[0]}? " if near else ""
-            accepted = ", ".join(sorted(self._asked))
-            self._problems.append(f"{self._where}: parameter {name}: unknown; {hint}there are: {accepted}")
+            known = accepted(str(name), sorted(self._asked))
+            self._problems.append(f"{self._where}: parameter {name}: unknown; {known}")
         if self._problems:
             raise SimError("\n".join(self._problems))
 
