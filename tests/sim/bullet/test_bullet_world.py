@@ -37,7 +37,7 @@ def test_robot_drives_alike_whatever_the_control_rate(world, control_rate):
 def test_tick_that_is_no_time_is_refused_showing_it(world):
     with pytest.raises(SimError) as caught:
         world.reset(setup(Pose(0.0, 0.0), tick=-0.05))
-    assert str(caught.value) == "world bullet: a tick of -0.05 s; give a finite time above 0 s"
+    assert str(caught.value) == "world bullet: a tick must last a finite time above 0 s (got -0.05)"
 
 
 @pytest.mark.parametrize("max_speed", [0.5, 3.0])

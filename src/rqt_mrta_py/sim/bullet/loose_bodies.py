@@ -13,6 +13,7 @@ from rqt_mrta_py.hooks import Body, BodyState
 from rqt_mrta_py.sim.bullet.engine import Engine
 from rqt_mrta_py.sim.bullet.surroundings import LOOSE_GROUP
 from rqt_mrta_py.sim.bullet.wheeled_robot import WheeledRobot
+from rqt_mrta_py.sim.world_checks import check_body
 
 __all__ = ["LooseBodies"]
 
@@ -47,11 +48,7 @@ class LooseBodies:
         Raises:
             SimError: its numbers make no body.
         """
-        numbers = (*body.position, body.yaw, *body.size, body.mass, body.friction)
-        if not all(map(math.isfinite, numbers)) or min(*body.size, body.mass) <= 0 or body.friction < 0:
-            raise SimError(
-                f"body {body.id}: size and mass must be above 0, friction at least 0, everything finite (got {body})"
-            )
+        check_body(body)
         bullet, client = self._engine.bullet, self._engine.client
         half_extents = tuple(side / 2 for side in body.size)
         number: int = bullet.createMultiBody(

@@ -8,11 +8,9 @@ from typing import Any, Dict, Sequence, Tuple
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.model import Arena, Obstacle
 from rqt_mrta_py.sim.bullet.engine import Engine
+from rqt_mrta_py.sim.world_checks import WALL
 
-__all__ = ["LOOSE_GROUP", "WALL", "build_surroundings"]
-
-WALL = "wall"
-"""The name of every wall in contacts."""
+__all__ = ["LOOSE_GROUP", "build_surroundings"]
 
 LOOSE_GROUP = 64
 """The collision group of loose bodies, which have a floor of their own."""

@@ -15,12 +15,14 @@ from rqt_mrta_py.sim.bullet.engine import Engine
 from rqt_mrta_py.sim.bullet.loose_bodies import LooseBodies
 from rqt_mrta_py.sim.bullet.range_rays import Rays
 from rqt_mrta_py.sim.bullet.sight import Sight
-from rqt_mrta_py.sim.bullet.surroundings import WALL, build_surroundings
+from rqt_mrta_py.sim.bullet.surroundings import build_surroundings
 from rqt_mrta_py.sim.bullet.wheeled_robot import WheeledRobot
+from rqt_mrta_py.sim.world_checks import check_drives, check_ids, check_numbers, check_twist
 
 __all__ = ["BulletWorld"]
 
-_CAPABILITIES = frozenset({"attach", "bodies", "contacts", "drive:differential", "freeze", "ranges"})
+_DRIVES = ("differential",)
+_CAPABILITIES = frozenset({"attach", "bodies", "contacts", "freeze", "ranges", *(f"drive:{name}" for name in _DRIVES)})
 _LONGEST_STEP = 1 / 40
 """Of physics [s]; wheels that may slip need no shorter ones, and each costs as much as the next."""
 _FARTHEST_STEP = 0.0125
@@ -55,17 +57,13 @@ class BulletWorld:
         """Build everything anew; all earlier bodies are gone.
 
         Raises:
-            SimError: an id is given twice, a drive or shape cannot be built, or the tick is no time.
+            SimError: an id is given twice, a drive or shape cannot be built, or a number is not finite.
             MissingDependencyError: PyBullet is not installed.
         """
+        check_numbers(setup, "bullet")
+        check_ids(setup)
+        check_drives(setup, "bullet", _DRIVES)
         self._physics_steps = _physics_steps(setup)
-        _check_ids(setup)
-        for robot in setup.robots:
-            if f"drive:{robot.model.drive}" not in _CAPABILITIES:
-                raise SimError(
-                    f"robot {robot.id}: world bullet cannot build drive {robot.model.drive!r} of model "
-                    f"{robot.model.name}; it can build: differential"
-                )
         if self._engine is None:
             self._engine = Engine()
         self._engine.reset(setup.tick / self._physics_steps)
@@ -129,11 +127,7 @@ class BulletWorld:
             SimError: no such robot or actuator, or a value that is no finite twist.
         """
         wheeled = self._robot(robot)
-        if actuator != "base":
-            raise SimError(f"robot {robot}: no actuator {actuator!r} in world bullet; there is: base")
-        if not isinstance(value, Twist) or not math.isfinite(value.vx + value.vy + value.wz):
-            raise SimError(f"robot {robot}: base takes a Twist of finite numbers (got {value!r})")
-        wheeled.command(value)
+        wheeled.command(check_twist(robot, actuator, value, "bullet"))
 
     def step(self) -> None:
         """Let one tick pass."""
@@ -233,15 +227,5 @@ class BulletWorld:
 def _physics_steps(setup: WorldSetup) -> int:
     """Divide a tick into physics steps, none so long that the fastest robot gets too deep into what it hits."""
     tick = setup.tick
-    if not 0 < tick < math.inf:
-        raise SimError(f"world bullet: a tick of {tick!r} s; give a finite time above 0 s")
     fastest = max((robot.model.max_speed for robot in setup.robots), default=0.0)
     return max(1, math.ceil(tick * max(1 / _LONGEST_STEP, fastest / _FARTHEST_STEP) - _EXACT))
-
-
-def _check_ids(setup: WorldSetup) -> None:
-    taken = {WALL}
-    for kind, id_ in [("obstacle", o.id) for o in setup.obstacles] + [("robot", r.id) for r in setup.robots]:
-        if id_ in taken:
-            raise SimError(f"{kind} {id_}: the id is taken by a wall, an obstacle or another robot; give it its own")
-        taken.add(id_)
