@@ -40,6 +40,11 @@ def test_tick_that_is_no_time_is_refused_showing_it(world):
     assert str(caught.value) == "world bullet: a tick must last a finite time above 0 s (got -0.05)"
 
 
+def test_more_robots_than_it_can_step_are_refused_before_any_is_built(world):
+    with pytest.raises(SimError, match=r"at most 4000 robots are accepted \(got 4001\); world planar takes more"):
+        world.reset(setup(*(Pose(float(index), 0.0) for index in range(4001))))
+
+
 @pytest.mark.parametrize("max_speed", [0.5, 3.0])
 def test_robot_at_full_speed_gets_no_deeper_into_a_wall_than_in_one_step(world, max_speed):
     """A tick of a fast robot is divided into more steps; at 40 a second, it would be 75 mm deep."""

@@ -23,6 +23,8 @@ __all__ = ["BulletWorld"]
 
 _DRIVES = ("differential",)
 _CAPABILITIES = frozenset({"attach", "bodies", "contacts", "freeze", "ranges", *(f"drive:{name}" for name in _DRIVES)})
+_MOST_ROBOTS = 4000
+"""Beyond, building and each tick take minutes."""
 _LONGEST_STEP = 1 / 40
 """Of physics [s]; wheels that may slip need no shorter ones, and each costs as much as the next."""
 _FARTHEST_STEP = 0.0125
@@ -57,9 +59,14 @@ class BulletWorld:
         """Build everything anew; all earlier bodies are gone.
 
         Raises:
-            SimError: an id is given twice, a drive or shape cannot be built, or a number is not finite.
+            SimError: there are too many robots, an id is given twice, a drive or shape cannot be built, or a number is not finite.
             MissingDependencyError: PyBullet is not installed.
         """
+        if len(setup.robots) > _MOST_ROBOTS:
+            raise SimError(
+                f"world bullet: at most {_MOST_ROBOTS} robots are accepted (got {len(setup.robots)}); world planar takes "
+                "more"
+            )
         check_numbers(setup, "bullet")
         check_ids(setup)
         check_drives(setup, "bullet", _DRIVES)
