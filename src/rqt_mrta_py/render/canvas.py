@@ -225,13 +225,16 @@ class Canvas:
     def paste(self, left: int, top: int, picture: NDArray[np.uint8], shown: NDArray[np.bool_]) -> None:
         """Lay a small picture over this one where it is shown; both (height, width, 3)."""
         height, width, _ = picture.shape
+        if left >= 0 and top >= 0:
+            ground = self.image[top : top + height, left : left + width]
+            if ground.shape == picture.shape:
+                np.copyto(ground, picture, where=shown)
+                return
         ground = self.image[max(top, 0) : max(top + height, 0), max(left, 0) : max(left + width, 0)]
-        if ground.shape == picture.shape:
-            np.copyto(ground, picture, where=shown)
-        elif ground.size:
-            cut = np.s_[max(-top, 0) :, max(-left, 0) :]
+        if ground.size:
             rows, columns, _ = ground.shape
-            np.copyto(ground, picture[cut][:rows, :columns], where=shown[cut][:rows, :columns])
+            cut = np.s_[max(-top, 0) : max(-top, 0) + rows, max(-left, 0) : max(-left, 0) + columns]
+            np.copyto(ground, picture[cut], where=shown[cut])
 
     def _polylines(self, lines: List[NDArray[np.int32]], colour: Colour, width: int, closed: bool = False) -> None:
         """Draw lines, long ones without the points that nobody would miss."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Optional, Sequence, Tuple
 
+import numpy as np
+
 from rqt_mrta_py.hooks import SceneView
 from rqt_mrta_py.model import Arena, Obstacle, Pose
 from rqt_mrta_py.render.canvas import Box, Canvas, Point
@@ -13,10 +15,9 @@ from rqt_mrta_py.render.palette import FAINT, FRAME, GRID, INK, MUTED, OBSTACLE,
 from rqt_mrta_py.render.times import number, ticks
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
-__all__ = ["ArenaMap", "draw_floor", "extent", "somewhere", "without_places"]
+__all__ = ["ArenaMap", "draw_floor", "extent", "nearby", "somewhere", "without_places"]
 
 _UNKNOWN = Arena(-2.0, -2.0, 2.0, 2.0, 0.0)
 _SNAP = 2.0
@@ -87,6 +88,13 @@ def somewhere(pose: Optional[Pose]) -> Optional[Pose]:
     if pose is None or not (abs(pose.x) < _FARTHEST_AWAY and abs(pose.y) < _FARTHEST_AWAY):
         return None
     return pose
+
+
+def nearby(points: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Tell of each of many points (points, 2) what ``somewhere`` tells of a pose."""
+    inside = np.abs(points) < _FARTHEST_AWAY
+    near: NDArray[np.bool_] = inside[:, 0] & inside[:, 1]
+    return near
 
 
 def without_places(scene: SceneView) -> bool:

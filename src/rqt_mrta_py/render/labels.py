@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import Iterable, List, NamedTuple, Optional, Tuple
+from typing import TYPE_CHECKING, Iterable, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
 from rqt_mrta_py.render.canvas import Box, Point
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 __all__ = ["LabelPlacer", "Placement"]
 
@@ -48,18 +51,17 @@ class LabelPlacer:
 
     Args:
         bounds: that labels must stay in.
-        things: rectangles better not covered.
+        things: rectangles better not covered: left, top, right, bottom.
     """
 
-    def __init__(self, bounds: Box, things: Iterable[Box] = ()) -> None:
+    def __init__(self, bounds: Box, things: Iterable[Sequence[float]] = ()) -> None:
         self._bounds = bounds
         self._left, self._top = math.floor(bounds.left), math.floor(bounds.top)
         size = (max(math.ceil(bounds.bottom) - self._top, 0), max(math.ceil(bounds.right) - self._left, 0))
         self._plan = np.zeros(size, dtype=np.uint8)
         for left, top, right, bottom in things:
-            if right > self._left and bottom > self._top:
-                rows = slice(max(math.floor(top) - self._top, 0), math.ceil(bottom) - self._top)
-                self._plan[rows, max(math.floor(left) - self._left, 0) : math.ceil(right) - self._left] = _THING
+            rows = slice(max(math.floor(top) - self._top, 0), max(math.ceil(bottom) - self._top, 0))
+            self._plan[rows, max(math.floor(left) - self._left, 0) : max(math.ceil(right) - self._left, 0)] = _THING
         self.placed: List[Box] = []
 
     def place(self, anchor: Point, radius: float, size: Tuple[float, float], near: bool = False) -> Optional[Placement]:
@@ -95,7 +97,7 @@ class LabelPlacer:
         self.placed.append(placement.box)
         return placement
 
-    def _ground(self, box: Box) -> np.ndarray:
+    def _ground(self, box: Box) -> NDArray[np.uint8]:
         left, top, right, bottom = box
         return self._plan[
             math.floor(top) - self._top : math.ceil(bottom) - self._top,

@@ -15,12 +15,17 @@ from rqt_mrta_py.render.signs import diamond, light
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["RobotStamp", "Stamps", "TaskStamp"]
+__all__ = ["HEADINGS", "LEAST_FOR_NOSE", "RobotStamp", "Stamps", "TaskStamp"]
 
 _MOST = 2048
-_HEADINGS = 16
-# A light smaller than this has no room for a nose.
-_LEAST_FOR_NOSE = 3.0
+
+HEADINGS = 16
+"""So many headings are told apart."""
+
+LEAST_FOR_NOSE = 3.0
+"""A light smaller than this has no room for a nose [pixels]."""
+
+_Pixels = Tuple["NDArray[np.uint8]", "NDArray[np.bool_]"]
 
 
 class RobotStamp(NamedTuple):
@@ -30,19 +35,6 @@ class RobotStamp(NamedTuple):
     heading: int
     state: RobotState
     task: Optional[Colour]
-
-    @classmethod
-    def of(cls, radius: float, yaw: float, state: RobotState, task: Optional[Colour]) -> RobotStamp:
-        """Choose the sign for a robot.
-
-        Args:
-            radius: of its light [pixels].
-            yaw: its heading [rad].
-            state: what its light says.
-            task: colour of the task that it holds; None for none.
-        """
-        heading = round(yaw / (2.0 * math.pi) * _HEADINGS) % _HEADINGS if radius >= _LEAST_FOR_NOSE else 0
-        return cls(round(radius, 1), heading, state, task)
 
 
 class TaskStamp(NamedTuple):
@@ -59,14 +51,14 @@ class Stamps:
     """
 
     def __init__(self) -> None:
-        self._made: Dict[Union[RobotStamp, TaskStamp], Tuple[NDArray[np.uint8], NDArray[np.bool_]]] = {}
+        self._made: Dict[Union[RobotStamp, TaskStamp], _Pixels] = {}
 
-    def print(self, canvas: Canvas, at: Point, stamp: Union[RobotStamp, TaskStamp]) -> None:
-        """Print a sign.
+    def print(self, canvas: Canvas, places: NDArray[np.float64], stamp: Union[RobotStamp, TaskStamp]) -> None:
+        """Print a sign at many places; what lies beyond the canvas is cut off.
 
         Args:
-            canvas: drawn upon; what lies beyond it is cut off.
-            at: the sign's middle [pixels].
+            canvas: drawn upon.
+            places: of the sign's middle (places, 2) [pixels]; later ones cover earlier ones.
             stamp: which sign.
         """
         made = self._made.get(stamp)
@@ -75,12 +67,14 @@ class Stamps:
                 self._made.clear()
             made = self._made[stamp] = _drawn(stamp)
         picture, shown = made
-        canvas.paste(round(at[0]) - picture.shape[1] // 2, round(at[1]) - picture.shape[0] // 2, picture, shown)
+        half = picture.shape[0] // 2
+        for x, y in (np.rint(places).astype(np.intp) - half).tolist():
+            canvas.paste(x, y, picture, shown)
 
 
-def _drawn(stamp: Union[RobotStamp, TaskStamp]) -> Tuple[NDArray[np.uint8], NDArray[np.bool_]]:
+def _drawn(stamp: Union[RobotStamp, TaskStamp]) -> _Pixels:
     """Draw a sign with a white border one pixel wide; give it with where it covers what is below."""
-    half = math.ceil(stamp.radius + (3.0 if isinstance(stamp, TaskStamp) or stamp.radius < _LEAST_FOR_NOSE else 7.0))
+    half = math.ceil(stamp.radius + (3.0 if isinstance(stamp, TaskStamp) or stamp.radius < LEAST_FOR_NOSE else 7.0))
     picture = np.full((2 * half + 1, 2 * half + 1, 3), 255, dtype=np.uint8)
     cover = np.zeros((2 * half + 1, 2 * half + 1, 3), dtype=np.uint8)
     for image, plain in ((picture, False), (cover, True)):
@@ -89,8 +83,7 @@ def _drawn(stamp: Union[RobotStamp, TaskStamp]) -> Tuple[NDArray[np.uint8], NDAr
             diamond(canvas, (half, half), stamp.radius + plain, WHITE if plain else stamp.colour)
         else:
             _draw_robot(canvas, (half, half), stamp, plain)
-    shown = np.broadcast_to(cover[:, :, :1] > 127, cover.shape).copy()
-    return picture, shown
+    return picture, cover > 127
 
 
 def _draw_robot(canvas: Canvas, centre: Point, stamp: RobotStamp, plain: bool) -> None:
@@ -98,8 +91,8 @@ def _draw_robot(canvas: Canvas, centre: Point, stamp: RobotStamp, plain: bool) -
     x, y = centre
     grown, ink = (1.0, WHITE) if plain else (0.0, INK)
     ring = stamp.radius + (1.8 if stamp.task else 0.6)
-    if stamp.radius >= _LEAST_FOR_NOSE:
-        yaw = 2.0 * math.pi * stamp.heading / _HEADINGS
+    if stamp.radius >= LEAST_FOR_NOSE:
+        yaw = 2.0 * math.pi * stamp.heading / HEADINGS
         cos, sin = math.cos(yaw), -math.sin(yaw)
         tip, half = ring + 3.5 + grown, 0.7 * stamp.radius + grown
         corners = [(x + tip * cos, y + tip * sin), (x - half * sin, y + half * cos), (x + half * sin, y - half * cos)]

@@ -1,0 +1,88 @@
+"""Where the robots of a team are on a picture, and how a team too large to be drawn one by one is printed."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Dict, List, NamedTuple
+
+import numpy as np
+
+from rqt_mrta_py.model import RobotState
+from rqt_mrta_py.render.canvas import Canvas
+from rqt_mrta_py.render.floor import ArenaMap, nearby
+from rqt_mrta_py.render.page import FEW, Page
+from rqt_mrta_py.render.stamps import HEADINGS, LEAST_FOR_NOSE, RobotStamp, Stamps
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["PlacedTeam", "place_team", "print_crowd", "size_among"]
+
+_RADIUS, _LEAST_RADIUS = 6.5, 2.4
+_LARGEST, _LARGEST_IN_CROWD = 2000.0, 14.0
+# On top is what needs to be seen.
+_DEPTH = {RobotState.IDLE: 0, RobotState.BUSY: 1, RobotState.OFFLINE: 2}
+
+
+class PlacedTeam(NamedTuple):
+    """The robots that are anywhere near.
+
+    Attributes:
+        places: of each robot, by its id, in what follows.
+        centres: from the arena's upper left corner (robots, 2) [pixels].
+        radii: to scale, or larger to be seen (robots,) [pixels].
+        yaws: headings (robots,) [rad].
+    """
+
+    places: Dict[str, int]
+    centres: NDArray[np.float64]
+    radii: NDArray[np.float64]
+    yaws: NDArray[np.float64]
+
+
+def size_among(size: float, count: int, least: float) -> float:
+    """Give the size of a sign among so many, such that their area together does not grow."""
+    return max(size * math.sqrt(min(FEW / max(count, 1), 1.0)), least)
+
+
+def place_team(page: Page, place: ArenaMap) -> PlacedTeam:
+    """Find the robots on the picture.
+
+    Args:
+        page: the mission.
+        place: where things are.
+    """
+    sights = [(sight.id, sight.pose, sight.radius) for sight in page.view.scene.robots if sight.pose is not None]
+    table = np.array([(pose.x, pose.y, pose.yaw, radius) for _, pose, radius in sights], np.float64).reshape(-1, 4)
+    near = np.flatnonzero(nearby(table[:, :2]))
+    table = table[near]
+    count = len(page.view.scene.robots)
+    # Both pass over what is not a number.
+    radii = np.fmax(table[:, 3] * place.scale, size_among(_RADIUS, count, _LEAST_RADIUS))
+    radii = np.fmin(radii, _LARGEST if count <= FEW else _LARGEST_IN_CROWD)
+    yaws = np.where(np.isfinite(table[:, 2]), table[:, 2], 0.0)
+    places = {sights[index][0]: number for number, index in enumerate(near.tolist())}
+    return PlacedTeam(places, place.inside_array(table[:, :2]), radii, yaws)
+
+
+def print_crowd(canvas: Canvas, page: Page, team: PlacedTeam, stamps: Stamps) -> None:
+    """Print many robots, those that are offline on top.
+
+    Args:
+        canvas: of the arena.
+        page: the mission.
+        team: the robots.
+        stamps: prints signs.
+    """
+    radii = team.radii.round(1)
+    turns = np.where(radii >= LEAST_FOR_NOSE, team.yaws, 0.0) / (2.0 * math.pi)
+    headings = np.rint(turns * HEADINGS) % HEADINGS
+    states = {robot.id: robot.state for robot in page.view.record.robots}
+    groups: Dict[RobotStamp, List[int]] = {}
+    for robot, radius, heading in zip(team.places, radii.tolist(), headings.tolist()):
+        held = page.open_by_robot.get(robot)
+        colour = page.colours[held[-1].task] if held else None
+        stamp = RobotStamp(radius, int(heading), states.get(robot, RobotState.OFFLINE), colour)
+        groups.setdefault(stamp, []).append(team.places[robot])
+    for stamp in sorted(groups, key=lambda stamp: _DEPTH[stamp.state]):
+        stamps.print(canvas, team.centres[groups[stamp]], stamp)
