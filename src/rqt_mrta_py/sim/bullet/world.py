@@ -59,13 +59,14 @@ class BulletWorld:
         """Build everything anew; all earlier bodies are gone.
 
         Raises:
-            SimError: there are too many robots, an id is given twice, a drive or shape cannot be built, or a number is not finite.
+            SimError: there are too many robots, an id is given twice, a drive or shape cannot be built, or a number is
+                not finite.
             MissingDependencyError: PyBullet is not installed.
         """
         if len(setup.robots) > _MOST_ROBOTS:
             raise SimError(
-                f"world bullet: at most {_MOST_ROBOTS} robots are accepted (got {len(setup.robots)}); world planar takes "
-                "more"
+                f"world bullet: at most {_MOST_ROBOTS} robots are accepted (got {len(setup.robots)}); "
+                "world planar takes more"
             )
         check_numbers(setup, "bullet")
         check_ids(setup)
