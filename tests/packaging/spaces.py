@@ -76,7 +76,7 @@ def catkin_make(folder: Path, prefix: str = "") -> Workspace:
         folder: the workspace.
         prefix: an install space to build upon.
     """
-    settings = [f"-DPYTHON_EXECUTABLE={sys.executable}", f"-DCMAKE_INSTALL_PREFIX={folder}/install"]
+    settings = [f"-DPYTHON_EXECUTABLE={_python(folder)}", f"-DCMAKE_INSTALL_PREFIX={folder}/install"]
     done = subprocess.run(
         ["catkin_make", "-C", str(folder), *settings, "install"],
         env=clean_environment(PATH=PATH, CMAKE_PREFIX_PATH=prefix, ROS_LANG_DISABLE="gencpp:genlisp"),
@@ -87,3 +87,13 @@ def catkin_make(folder: Path, prefix: str = "") -> Workspace:
     )
     assert done.returncode == 0, done.stdout + done.stderr
     return Workspace(folder, done.stdout + done.stderr)
+
+
+def _python(folder: Path) -> Path:
+    """Give the interpreter by a path without blanks, which catkin's scripts do not bear."""
+    python = Path(sys.executable)
+    if not any(character.isspace() for character in str(python)):
+        return python
+    link = folder / "environment"
+    link.symlink_to(python.parent.parent, target_is_directory=True)
+    return link / "bin" / python.name
