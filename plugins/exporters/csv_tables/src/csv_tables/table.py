@@ -20,7 +20,8 @@ def csv_bytes(head: Sequence[str], rows: Iterable[Sequence[Cell]]) -> bytes:
     Args:
         head: names of the columns, with units.
         rows: one cell for each column. Texts that a spreadsheet would take for a formula get a leading apostrophe;
-            truth values are written ``true`` and ``false``, None as nothing, numbers as Python writes them.
+            a NUL, which many readers of CSV refuse, is written as U+FFFD; truth values are written ``true`` and
+            ``false``, None as nothing, numbers as Python writes them.
 
     Returns:
         The file's content.
@@ -44,6 +45,7 @@ def _written(cell: Cell) -> Union[str, int, float]:
     if isinstance(cell, bool):
         return "true" if cell else "false"
     if isinstance(cell, str):
-        return f"'{cell}" if cell.startswith(_FORMULA_SIGNS) else cell
+        text = cell.replace("\0", "\ufffd")
+        return f"'{text}" if text.startswith(_FORMULA_SIGNS) else text
     # Of subclasses such as NumPy's scalars the digits only.
     return float(cell) if isinstance(cell, float) else int(cell)
