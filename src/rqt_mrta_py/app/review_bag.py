@@ -15,7 +15,7 @@ from rqt_mrta_py.app.mission_message import MISSION_TOPIC, MISSION_TYPE, mission
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs.exports import exporters_for, write_exports
 from rqt_mrta_py.app.outputs.folder import OutputFolder
-from rqt_mrta_py.app.outputs.picture_files import PictureFiles, open_film
+from rqt_mrta_py.app.outputs.picture_files import PictureFiles, check_film, open_film
 from rqt_mrta_py.app.outputs.pictures import period_in_ticks
 from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch, write_results
 from rqt_mrta_py.config import load_mission, load_observed
@@ -77,8 +77,7 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
         period = 1.0 if mission.scenario is None else mission.scenario.picture_period
     start_ns = info.start_ns or 0
     length = ((info.end_ns or 0) - start_ns) / _NS
-    if request.video and not period > 0:
-        raise UsageError("--video: there are no pictures to make a film of; give --pictures a time above 0")
+    check_film(request.video, period)
     exporters = exporters_for(mission, request.exports, host.manager)
     patience = host.manager.patience
     with patience.at_work("the making of the review"):

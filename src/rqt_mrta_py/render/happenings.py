@@ -10,7 +10,7 @@ from typing import Any, Deque, Dict, Iterable, Mapping, Tuple
 import yaml
 
 from rqt_mrta_py.hooks import Heard, ScenarioLabel, Subscription
-from rqt_mrta_py.model import normalise_id
+from rqt_mrta_py.model import ScenarioEventKind, normalise_id
 from rqt_mrta_py.render.text import printable
 
 __all__ = ["Condition", "LabelKeeper", "conditions", "happening_word", "radio_is_split"]
@@ -38,12 +38,7 @@ _WORDS: Mapping[str, str] = {
 _WORDS_WHEN_OVER: Mapping[str, str] = {"robot_slows": "full speed", "robot_clock_shifts": "clock right"}
 
 # Kinds that say no more than that something is over, and what that was.
-_ENDS: Mapping[str, str] = {
-    "robot_returns": "robot_stops",
-    "robot_comes_free": "robot_sticks",
-    "radio_returns": "radio_fails",
-    "radio_heals": "radio_partitions",
-}
+_ENDS: Mapping[str, str] = {kind.value: kind.undoes.value for kind in ScenarioEventKind if kind.undoes is not None}
 # Kinds that set a value, and the one that sets things right.
 _RIGHT: Mapping[str, Tuple[str, float]] = {"robot_slows": ("factor", 1.0), "robot_clock_shifts": ("offset", 0.0)}
 

@@ -23,8 +23,6 @@ _QX, _QY, _QZ, _QW = (f"pose/orientation/{axis}" for axis in "xyzw")
 _POSES = Subscription("/@robot_id@/pose", "geometry_msgs/PoseStamped", (_FRAME, _X, _Y, _QX, _QY, _QZ, _QW))
 _TRANSFORMS = tuple(Subscription(topic, "tf2_msgs/TFMessage", ("transforms",)) for topic in ("/tf", "/tf_static"))
 _PROGRESS = Subscription("/mrta/task_progress", "rqt_mrta_py/TaskProgress", ("task_id", "progress", "task_yaml"))
-# The constants of rqt_mrta_py/TaskProgress, each at the index of its value.
-_PROGRESS_BY_CODE = tuple(Progress)
 
 # Trails and paths of all robots together have about so many points at most; a trail has no fewer than the last.
 _TRAIL_POINTS, _PATH_POINTS, _FEWEST = 4000, 400_000, 5
@@ -117,7 +115,7 @@ class SceneTracker:
 
     def _hear_progress(self, heard: Heard) -> None:
         code, task = heard.fields["progress"], normalise_id(heard.fields["task_id"])
-        progress = _PROGRESS_BY_CODE[code] if 0 <= code < len(_PROGRESS_BY_CODE) else None
+        progress = Progress.of_code(code)
         if progress is Progress.WITHDRAWN:
             self._tasks.pop(task, None)
         elif progress is Progress.APPEARED:

@@ -14,16 +14,16 @@ from typing import Any, Dict, List, NamedTuple, Tuple
 
 from rqt_mrta_py.app.bench.load import CONTROL_RATE, LoadPlugin, load_mission_of
 from rqt_mrta_py.app.bench.parts import PartTimer
-from rqt_mrta_py.app.compose import Host, compose
+from rqt_mrta_py.app.compose import compose
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.app.outputs.pictures import PictureSchedule
 from rqt_mrta_py.app.run.collector import rare_collections
 from rqt_mrta_py.app.run.embedded import EmbeddedRun
-from rqt_mrta_py.app.run.watch import Watcher, WatchPlan, open_watch
-from rqt_mrta_py.app.run.watch_process import open_watch_process
+from rqt_mrta_py.app.run.watch import WatchPlan, open_watch
+from rqt_mrta_py.app.run.watch_process import open_watcher
 from rqt_mrta_py.errors import MrtaError, UsageError
-from rqt_mrta_py.hooks import BenchmarkTable
+from rqt_mrta_py.hooks import BenchmarkTable, Codec
 
 __all__ = ["add_arguments", "measure"]
 
@@ -130,14 +130,8 @@ def _answer(answer: Connection, function: Any, arguments: Tuple[Any, ...]) -> No
 
 def _speed(case: _Case, processes: int) -> _Speed:
     with ExitStack() as stack:
-        run, plan, host = _wired(case, stack)
-        watcher: Watcher
-        if processes == 1:
-            watcher = stack.enter_context(open_watch(plan, run.bus))
-        else:
-            process = stack.enter_context(open_watch_process(plan, host.codec()))
-            run.bus.tap(process.hear)
-            watcher = process
+        run, plan, codec = _wired(case, stack)
+        watcher = stack.enter_context(open_watcher(plan, run.bus, codec, processes))
         warm = round(_WARM_UP * CONTROL_RATE)
         for tick in range(warm):
             run.step(tick)
@@ -165,7 +159,7 @@ def _parts(case: _Case) -> Dict[str, float]:
     return timer.seconds
 
 
-def _wired(case: _Case, stack: ExitStack) -> Tuple[EmbeddedRun, WatchPlan, Host]:
+def _wired(case: _Case, stack: ExitStack) -> Tuple[EmbeddedRun, WatchPlan, Codec]:
     host = compose()
     host.manager.register(LoadPlugin(), "bench_load")
     mission = load_mission_of(case.robots, case.world, case.duration)
@@ -177,7 +171,7 @@ def _wired(case: _Case, stack: ExitStack) -> Tuple[EmbeddedRun, WatchPlan, Host]
     pictures = PictureSchedule(host.renderer("monitor"), CONTROL_RATE // _PICTURE_RATE, CONTROL_RATE)
     plan = WatchPlan(observation, folder, run.clock, run.last_tick, False, pictures, None, {}, host.manager.patience)
     stack.enter_context(rare_collections())
-    return run, plan, host
+    return run, plan, codec
 
 
 def _processor() -> float:

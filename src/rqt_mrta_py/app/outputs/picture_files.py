@@ -9,14 +9,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Deque, List, Optional, Protocol
 
 from rqt_mrta_py.app.outputs.folder import OutputFolder
-from rqt_mrta_py.errors import RenderError
+from rqt_mrta_py.errors import RenderError, UsageError
 from rqt_mrta_py.render import write_picture
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-__all__ = ["FILM_RATE", "Film", "PictureFiles", "open_film", "picture_name"]
+__all__ = ["FILM_RATE", "Film", "PictureFiles", "check_film", "open_film", "picture_name"]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
@@ -42,6 +42,20 @@ class Film(Protocol):
     def close(self) -> None:
         """Complete the film."""
         ...
+
+
+def check_film(wanted: bool, period: float) -> None:
+    """Check, before anything is written, that there will be pictures to make a film of.
+
+    Args:
+        wanted: whether there shall be a film.
+        period: between two pictures, 0 for none [s].
+
+    Raises:
+        UsageError: there will be none.
+    """
+    if wanted and not period > 0:
+        raise UsageError("--video: there are no pictures to make a film of; give --pictures a time above 0")
 
 
 def open_film(folder: OutputFolder, wanted: bool) -> Optional[Film]:

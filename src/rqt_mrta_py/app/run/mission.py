@@ -3,29 +3,26 @@
 from __future__ import annotations
 
 import os
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Callable, Iterator, Optional, Tuple
+from typing import Callable, Optional, Tuple
 
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs.exports import exporters_for
 from rqt_mrta_py.app.outputs.folder import OutputFolder
-from rqt_mrta_py.app.outputs.picture_files import PictureFiles, open_film
+from rqt_mrta_py.app.outputs.picture_files import PictureFiles, check_film, open_film
 from rqt_mrta_py.app.outputs.pictures import PictureSchedule, period_in_ticks
 from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch
 from rqt_mrta_py.app.run.collector import rare_collections
 from rqt_mrta_py.app.run.embedded import EmbeddedRun
-from rqt_mrta_py.app.run.watch import Watcher, WatchPlan, open_watch
-from rqt_mrta_py.app.run.watch_process import open_watch_process
+from rqt_mrta_py.app.run.watch import WatchPlan
+from rqt_mrta_py.app.run.watch_process import open_watcher
 from rqt_mrta_py.app.selection import first_robots, in_world
 from rqt_mrta_py.config import load_mission
 from rqt_mrta_py.errors import UsageError
-from rqt_mrta_py.hooks import Codec
 from rqt_mrta_py.model import Mission, ScenarioSpec
-from rqt_mrta_py.transport import Bus
 
 __all__ = ["RunRequest", "run_mission"]
 
@@ -83,8 +80,7 @@ def run_mission(host: Host, request: RunRequest, progress: Callable[[float, floa
     mission, scenario = _mission(host, request)
     duration = scenario.duration if request.duration is None else request.duration
     period = scenario.picture_period if request.pictures is None else request.pictures
-    if request.video and not period > 0:
-        raise UsageError("--video: there are no pictures to make a film of; give --pictures a time above 0")
+    check_film(request.video, period)
     codec = host.codec()
     exporters = exporters_for(mission, request.exports, host.manager)
     with host.manager.patience.at_work("the making of the mission"):
@@ -107,7 +103,7 @@ def run_mission(host: Host, request: RunRequest, progress: Callable[[float, floa
                 patience=host.manager.patience,
             )
             processes = 1 if run.team_hears_supervisor else request.processes or min(2, _cores())
-            with rare_collections(), _watching(plan, run.bus, codec, processes) as watcher:
+            with rare_collections(), open_watcher(plan, run.bus, codec, processes) as watcher:
                 for tick in range(run.last_tick + 1):
                     with host.manager.patience.at_work(f"the mission's tick at {tick / scenario.control_rate:g} s"):
                         run.step(tick)
@@ -119,18 +115,6 @@ def run_mission(host: Host, request: RunRequest, progress: Callable[[float, floa
             return stopwatch.result(folder, results, interrupt, processes)
     finally:
         run.close()
-
-
-@contextmanager
-def _watching(plan: WatchPlan, bus: Bus, codec: Codec, processes: int) -> Iterator[Watcher]:
-    """Watch what is published on the team's bus, from this process or from another."""
-    if processes == 1:
-        with open_watch(plan, bus) as watch:
-            yield watch
-    else:
-        with open_watch_process(plan, codec) as process:
-            bus.tap(process.hear)
-            yield process
 
 
 def _cores() -> int:

@@ -19,7 +19,7 @@ from multiprocessing.connection import Connection
 from typing import Any, Callable, Iterator, List, NamedTuple, Optional, Tuple
 
 from rqt_mrta_py.app.outputs.results import Results
-from rqt_mrta_py.app.run.watch import WatchPlan, open_watch
+from rqt_mrta_py.app.run.watch import Watcher, WatchPlan, open_watch
 from rqt_mrta_py.errors import MrtaError
 from rqt_mrta_py.hooks import Codec, Stamped
 from rqt_mrta_py.sim import PerfectLink
@@ -181,6 +181,25 @@ class _Ends(NamedTuple):
     told: Connection
     answer: Connection
     room: Any
+
+
+@contextmanager
+def open_watcher(plan: WatchPlan, bus: Bus, codec: Codec, processes: int) -> Iterator[Watcher]:
+    """Watch what is published on the team's bus, from this process or from another.
+
+    Args:
+        plan: what to watch.
+        bus: of the team.
+        codec: reads and writes messages.
+        processes: 1 to watch from this process, 2 from another.
+    """
+    if processes == 1:
+        with open_watch(plan, bus) as watch:
+            yield watch
+    else:
+        with open_watch_process(plan, codec) as process:
+            bus.tap(process.hear)
+            yield process
 
 
 def _run(ends: _Ends, theirs: Tuple[Connection, ...]) -> None:
