@@ -70,12 +70,22 @@ from rqt_mrta_py.hooks.picture import (
     SceneView,
 )
 from rqt_mrta_py.hooks.robot_model import RobotModel
-from rqt_mrta_py.hooks.sensor import RayPattern, Sensor, SensorContext, SensorFactory, SensorMoment
+from rqt_mrta_py.hooks.sensor import (
+    RayPattern,
+    Sensor,
+    SensorContext,
+    SensorFactory,
+    SensorMoment,
+    TeamMoment,
+    TeamSensor,
+    TeamSensorFactory,
+)
 from rqt_mrta_py.hooks.specs import PROJECT, HookSpecs, hookimpl
 from rqt_mrta_py.hooks.statistic import Statistic
 from rqt_mrta_py.hooks.stream import (
     EVERYTHING,
     Codec,
+    Column,
     Connection,
     FieldReader,
     Heard,
@@ -83,6 +93,7 @@ from rqt_mrta_py.hooks.stream import (
     Outgoing,
     Stamped,
     Subscription,
+    TeamOutgoing,
 )
 from rqt_mrta_py.hooks.verb import Verb
 from rqt_mrta_py.hooks.world import Body, BodyState, Contact, PlacedRobot, World, WorldFactory, WorldSetup
@@ -109,6 +120,7 @@ __all__ = [
     "Body",
     "BodyState",
     "Codec",
+    "Column",
     "Command",
     "Connection",
     "Contact",
@@ -172,6 +184,10 @@ __all__ = [
     "Subscription",
     "TaskReport",
     "TaskStateChanged",
+    "TeamMoment",
+    "TeamOutgoing",
+    "TeamSensor",
+    "TeamSensorFactory",
     "UsageError",
     "Verb",
     "World",

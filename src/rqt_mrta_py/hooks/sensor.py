@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Callable, NamedTuple, Optional, Protocol, Sequence
 
 from rqt_mrta_py.hooks.robot_model import RobotModel
-from rqt_mrta_py.hooks.stream import Outgoing
+from rqt_mrta_py.hooks.stream import Outgoing, TeamOutgoing
 from rqt_mrta_py.hooks.world import World
 from rqt_mrta_py.model import Pose, SensorSetup
 
@@ -14,7 +14,16 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-__all__ = ["RayPattern", "Sensor", "SensorContext", "SensorFactory", "SensorMoment"]
+__all__ = [
+    "RayPattern",
+    "Sensor",
+    "SensorContext",
+    "SensorFactory",
+    "SensorMoment",
+    "TeamMoment",
+    "TeamSensor",
+    "TeamSensorFactory",
+]
 
 
 @dataclass(frozen=True)
@@ -83,3 +92,45 @@ class Sensor(Protocol):
 
 
 SensorFactory = Callable[[SensorContext], Sensor]
+
+
+class TeamMoment(NamedTuple):
+    """What a kind of sensor measures from, on all robots whose sensors measure now.
+
+    Attributes:
+        members: which robots: their places among those that the sensor was made for, rising, shape (robots,).
+        now: the time on each robot's clock [s], shape (robots,).
+        truth: true poses in the frame ``map``: x, y [m] and yaw [rad], shape (robots, 3).
+        ranges: true distances along the rays that the sensor wants [m], shape (robots, rays), infinity where nothing
+            is seen; None if it wants none.
+        world: what can be measured besides.
+
+    No array is to be changed, or kept.
+    """
+
+    members: NDArray[np.intp]
+    now: NDArray[np.float64]
+    truth: NDArray[np.float64]
+    ranges: Optional[NDArray[np.float64]]
+    world: World
+
+
+class TeamSensor(Protocol):
+    """One kind of simulated sensor on all robots that carry it alike, measured in one go."""
+
+    @property
+    def rays(self) -> Optional[RayPattern]:
+        """The rays that each robot wants cast whenever it measures, asked once; None if it wants none."""
+        ...
+
+    def sense(self, moment: TeamMoment) -> Sequence[TeamOutgoing]:
+        """Measure, at the sensors' own rate.
+
+        Returns:
+            What is published, with rows in the order of ``members``.
+        """
+        ...
+
+
+TeamSensorFactory = Callable[[Sequence[SensorContext]], TeamSensor]
+"""Takes one context for each robot, in the scenario's order; their setups are equal."""

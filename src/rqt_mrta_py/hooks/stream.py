@@ -8,11 +8,16 @@ answer what to say (``Outgoing``). Stamps in the stream are integer nanoseconds,
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Callable, Dict, Mapping, NamedTuple, Protocol, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Dict, Mapping, NamedTuple, Protocol, Sequence, Tuple, Union
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 __all__ = [
     "EVERYTHING",
     "Codec",
+    "Column",
     "Connection",
     "FieldReader",
     "Heard",
@@ -20,6 +25,7 @@ __all__ = [
     "Outgoing",
     "Stamped",
     "Subscription",
+    "TeamOutgoing",
 ]
 
 EVERYTHING = "*"
@@ -116,6 +122,31 @@ class Outgoing(NamedTuple):
     type: str
     fields: Mapping[str, Any]
     latched: bool = False
+
+
+Column = Union["NDArray[np.float64]", "NDArray[np.int64]", Sequence[str], float, int, str]
+"""One field of several messages: one number a message, shape (robots,), or one row of an array field a message, shape
+(robots, elements); one text a message; or a single number or text that all of them share."""
+
+
+class TeamOutgoing(NamedTuple):
+    """Messages of one type that robots publish at one moment, one each, column by column.
+
+    Made for what a whole team says many times a second: one array says a field of all messages.
+
+    Attributes:
+        topic: absolute or relative; a relative one is resolved in each robot's namespace.
+        type: ``pkg/Msg``.
+        robots: ids of those who publish, in order, each once; the rows of all columns.
+        columns: value by path of a field, joined by ``/``, with a number for an element of an array of messages, as in
+            ``transforms/0/child_frame_id``; such an array is as long as its highest number says. Times are float
+            seconds. Fields left out take their type's zero. A ``header/seq`` left out is counted by each publisher.
+    """
+
+    topic: str
+    type: str
+    robots: Tuple[str, ...]
+    columns: Mapping[str, Column]
 
 
 FieldReader = Callable[[bytes], Tuple[Any, ...]]
