@@ -361,7 +361,7 @@ def test_a_tap_hears_each_message_once_in_bus_order_before_loss_and_delay(
     bus: Bus, link: ListLink, codec: RosCodec
 ) -> None:
     tapped: List[Stamped] = []
-    bus.tap(tapped.append)
+    bus.tap(tapped.extend)
     link.answer = lambda sender, receiver: ()
     nodes = [bus.node(f"/robot{i}/agent", f"robot{i}") for i in (1, 2)]
     for node in nodes:
@@ -405,7 +405,7 @@ def test_a_message_that_nobody_wants_is_not_built() -> None:
     node = bus.node("/a")
     node.publish(Outgoing("/t", "std_msgs/String", {"nonsense": 1}), 1.0)
     assert codec.encoded == 0
-    bus.tap(lambda stamped: None)
+    bus.tap(lambda batch: None)
     node.publish(text("/t"), 1.0)
     assert (codec.encoded, codec.read) == (1, 0)
 
@@ -468,7 +468,7 @@ def test_a_node_may_hear_everything(bus: Bus) -> None:
     ],
 )
 def test_publishing_names_node_topic_and_path_of_what_is_wrong(bus: Bus, outgoing: Outgoing, message: str) -> None:
-    bus.tap(lambda stamped: None)
+    bus.tap(lambda batch: None)
     with pytest.raises(TransportError) as caught:
         bus.node("/r/a").publish(outgoing, 1.0)
     assert str(caught.value).startswith(message)

@@ -46,8 +46,8 @@ CHECKPOINT_PERIOD = 0.5
 class Watcher(Protocol):
     """What the team's side of a run tells."""
 
-    def hear(self, stamped: Stamped) -> None:
-        """Take in a message, in bus order, before loss and delay."""
+    def hear(self, batch: Sequence[Stamped]) -> None:
+        """Take in messages, in bus order, before loss and delay."""
         ...
 
     def end_tick(self, tick: int) -> None:
@@ -118,10 +118,11 @@ class Watch:
         self._bag.checkpoint()
         self.abandoned = True
 
-    def hear(self, stamped: Stamped) -> None:
-        """Take in a message; it is in the bag, whatever a rule makes of it."""
-        self._bag.write(stamped)
-        self._plan.observation.feed(stamped)
+    def hear(self, batch: Sequence[Stamped]) -> None:
+        """Take in messages; each is in the bag, whatever a rule makes of it."""
+        for stamped in batch:
+            self._bag.write(stamped)
+            self._plan.observation.feed(stamped)
 
     def end_tick(self, tick: int) -> None:
         """Say what is new, draw what is due."""

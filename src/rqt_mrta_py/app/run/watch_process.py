@@ -16,7 +16,7 @@ import threading
 import traceback
 from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection
-from typing import Any, Callable, Iterator, List, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Iterator, List, NamedTuple, Optional, Sequence, Tuple
 
 from rqt_mrta_py.app.outputs.results import Results
 from rqt_mrta_py.app.run.watch import Watcher, WatchPlan, open_watch
@@ -50,7 +50,7 @@ class WatchProcess:
     """Tells another process what a run does; made by ``open_watch_process``.
 
     Attributes:
-        hear: takes in a message.
+        hear: takes in messages.
     """
 
     def __init__(self, plan: WatchPlan, codec: Codec) -> None:
@@ -69,7 +69,7 @@ class WatchProcess:
         self._answers: Connection = answers
         self._packer = BatchPacker()
         self._pending: List[Stamped] = []
-        self.hear: Callable[[Stamped], None] = self._pending.append
+        self.hear: Callable[[Sequence[Stamped]], None] = self._pending.extend
         # What is buffered now would be written twice.
         sys.stdout.flush()
         sys.stderr.flush()
@@ -237,8 +237,7 @@ def _watch(ends: _Ends) -> Optional[Results]:
             if message == _FINISH:
                 return watch.finish()
             with ends.plan.patience.at_work(f"the watching of the tick at {tick / ends.plan.clock.rate:g} s"):
-                for stamped in unpacker.unpack(message):
-                    watch.hear(stamped)
+                watch.hear(unpacker.unpack(message))
             watch.end_tick(tick)
             tick += 1
             ends.room.release()

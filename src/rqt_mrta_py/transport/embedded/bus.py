@@ -58,7 +58,7 @@ class Bus:
         self.codec = codec
         self.link = link
         self._nodes: Dict[str, Node] = {}
-        self._taps: List[Callable[[Stamped], None]] = []
+        self._taps: List[Callable[[Sequence[Stamped]], None]] = []
         self._wiring = Wiring(codec)
         self._publishers: Dict[Tuple[str, str, str, bool], _Publisher] = {}
         # Only those that keep a message for late subscribers, in the order in which they were made.
@@ -83,11 +83,11 @@ class Bus:
         node = self._nodes[name] = Node(self, len(self._nodes), name, robot, remappings)
         return node
 
-    def tap(self, callback: Callable[[Stamped], None]) -> None:
+    def tap(self, callback: Callable[[Sequence[Stamped]], None]) -> None:
         """Tell a callback of each message once, as it is published, before loss and delay.
 
         Args:
-            callback: is told in the order of publishing.
+            callback: is told in the order of publishing, of messages that are published together in one call.
         """
         self._taps.append(callback)
 
@@ -157,9 +157,9 @@ class Bus:
         raw = self._encode(publisher, fields)
         connection = publisher.connection
         if taps:
-            stamped = _new_stamped(Stamped, (connection, self._now_ns, raw))
+            batch = (_new_stamped(Stamped, (connection, self._now_ns, raw)),)
             for tap in taps:
-                tap(stamped)
+                tap(batch)
         if receivers or publisher.latched:
             message = Message(connection, ordinal, raw)
             if publisher.latched:
