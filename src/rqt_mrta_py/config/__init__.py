@@ -2,7 +2,7 @@
 
 * ``mission``: all of it joined; the place to begin
 * ``discovery``: package.xml to what is registered, and where; what the user calls it to its files
-* ``xml``: both flavours of rqt_mrta.xml
+* ``xml``: both flavours of rqt_mrta.xml, read and written
 * ``yaml``: YAML text to values with lines, checked by tables that are also the documentation
 * ``tasks``, ``scenario``: the files with these tables
 * ``parameters``: templates and what is given to each robot's parameters
@@ -26,6 +26,7 @@ from rqt_mrta_py.config.tasks.task_text import dump_task, read_task
 from rqt_mrta_py.config.tasks.tasks_file import read_tasks
 from rqt_mrta_py.config.xml.application import read_application
 from rqt_mrta_py.config.xml.architecture import read_architecture
+from rqt_mrta_py.config.xml.writing import write_application, write_architecture
 
 __all__ = [
     "Manifest",
@@ -55,5 +56,7 @@ __all__ = [
     "resolve_parameters",
     "resolve_shared",
     "resolve_team",
+    "write_application",
+    "write_architecture",
     "write_whole",
 ]

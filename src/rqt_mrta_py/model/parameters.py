@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 from typing import Optional, Tuple, Union
 
@@ -36,7 +36,7 @@ class ParameterTemplate:
     value: Optional[str] = None
     default: Optional[str] = None
     tool_tip: str = ""
-    line: int = 0
+    line: int = field(default=0, compare=False)
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class MapTemplate:
 
     name: str
     items: Tuple[TemplateItem, ...]
-    line: int = 0
+    line: int = field(default=0, compare=False)
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class ArrayTemplate:
 
     name: str
     items: Tuple[TemplateItem, ...]
-    line: int = 0
+    line: int = field(default=0, compare=False)
 
 
 TemplateItem = Union[ParameterTemplate, MapTemplate, ArrayTemplate]
@@ -66,4 +66,4 @@ class ConfigTemplate:
 
     id: str
     items: Tuple[TemplateItem, ...]
-    line: int = 0
+    line: int = field(default=0, compare=False)

@@ -9,7 +9,7 @@ from rqt_mrta_py.config.xml.flavour import read_flavour
 from rqt_mrta_py.config.xml.launches import read_launches
 from rqt_mrta_py.config.xml.templates import read_configs
 from rqt_mrta_py.config.xml.topics import read_topics
-from rqt_mrta_py.model import AllocationType, ArchitectureSpec, RobotType, TaskType, Taxonomy
+from rqt_mrta_py.model import AllocationType, ArchitectureSpec, RobotType, TaskType, Taxonomy, normalise_id
 from rqt_mrta_py.wording import accepted
 
 __all__ = ["read_architecture"]
@@ -76,9 +76,10 @@ def _reference(robots: Optional[Element], name: str, known: Sequence[str]) -> Op
     found = robots.text(name) if robots is not None else None
     if found is None or robots is None:
         return None
-    if found.value not in known:
-        robots.problem(name, f"{found.value!r} is no id of this file; {accepted(found.value, known)}", found.line)
-    return found.value
+    value = normalise_id(found.value)
+    if value not in known:
+        robots.problem(name, f"{value!r} is no id of this file; {accepted(value, known)}", found.line)
+    return value
 
 
 def _read_widgets(root: Element) -> Tuple[str, ...]:

@@ -9,12 +9,11 @@ from typing import Dict, List, NamedTuple, Optional, Sequence, Union
 from lxml import etree
 
 from rqt_mrta_py.config.problems import Problems
-from rqt_mrta_py.config.xml.text import line_of, parse_xml
+from rqt_mrta_py.config.xml.text import joined, line_of, parse_xml
 from rqt_mrta_py.wording import accepted, shown
 
 __all__ = ["Element", "Numbered", "Text", "open_document"]
 
-_WRAP = re.compile(r"\s*[\r\n]\s*")
 _NUMBER = re.compile(r"_[0-9]+\Z")
 _NUMBERED = re.compile(r"(\w+?)_([0-9]{1,9})\Z")
 
@@ -66,11 +65,11 @@ class Element:
     @property
     def empty(self) -> bool:
         """True if it holds neither elements nor text; equals an absent one."""
-        return not self._children and not _joined(self._node.text)
+        return not self._children and not joined(self._node.text)
 
     def has(self, name: str) -> bool:
         """Tell whether there is a child of a name that is not empty, without counting it as read."""
-        return any(node.tag == name and (len(node) or _joined(node.text)) for node in self._unread.values())
+        return any(node.tag == name and (len(node) or joined(node.text)) for node in self._unread.values())
 
     def problem(self, name: str, message: str, line: Optional[int] = None) -> None:
         """Note a problem of this element, or of the child called ``name`` where that is not empty."""
@@ -169,7 +168,7 @@ class Element:
 
     def leaf(self) -> str:
         """Give this element's own text; elements within are a problem."""
-        value = _joined(self._node.text)
+        value = joined(self._node.text)
         self._known.clear()
         self.finish(text_allowed=True)
         return value
@@ -195,9 +194,9 @@ class Element:
             self.problem(f"@{name}", f"is not expected here; {accepted(name, self._known_attributes)}")
         if not text_allowed:
             texts = [self._node.text, *(child.tail for child in self._children)]
-            stray = next((text for text in texts if _joined(text)), None)
+            stray = next((text for text in texts if joined(text)), None)
             if stray is not None:
-                self.problem("", f"holds the text {shown(_joined(stray))}; only elements are expected here")
+                self.problem("", f"holds the text {shown(joined(stray))}; only elements are expected here")
         self.skip()
 
     def _at(self, name: str) -> str:
@@ -221,7 +220,3 @@ def open_document(text: Union[str, bytes], path: str, root: str, problems: Probl
         problems.add(line_of(node), str(node.tag), f"is not the root of such a file; accepted: {root}")
         problems.raise_if_any()
     return Element(node, "", problems)
-
-
-def _joined(text: Optional[str]) -> str:
-    return _WRAP.sub(" ", (text or "").strip())

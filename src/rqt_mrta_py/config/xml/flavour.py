@@ -8,11 +8,12 @@ from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.xml.element import Element, open_document
 from rqt_mrta_py.wording import shown
 
-__all__ = ["read_flavour"]
+__all__ = ["ROOT", "read_flavour"]
 
 _Spec = TypeVar("_Spec")
 
-_ROOT = "rqt_mrta"
+ROOT = "rqt_mrta"
+"""The name of the root element."""
 
 
 def read_flavour(
@@ -31,7 +32,7 @@ def read_flavour(
         ConfigError: with everything that is wrong, sorted by line.
     """
     problems = Problems(path)
-    root = open_document(text, path, _ROOT, problems)
+    root = open_document(text, path, ROOT, problems)
     _check_flavour(root, wanted, other)
     spec = read(root)
     root.finish()

@@ -6,7 +6,7 @@ from rqt_mrta_py.config.xml.element import Element
 from rqt_mrta_py.model import normalise_id
 from rqt_mrta_py.wording import shown
 
-__all__ = ["read_id"]
+__all__ = ["read_id", "written_id"]
 
 
 def read_id(element: Element, name: str = "id") -> str:
@@ -24,3 +24,8 @@ def read_id(element: Element, name: str = "id") -> str:
         element.problem(name, f"must not contain a space (got {shown(text)})")
         return ""
     return normalise_id(text)
+
+
+def written_id(name: str) -> str:
+    """Spell an id so that its reader, who drops one leading slash, gives the same again."""
+    return f"/{name}" if name.startswith("/") else name

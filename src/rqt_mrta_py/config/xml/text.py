@@ -7,15 +7,16 @@ walks over the text first and stops at the first declaration of an entity, befor
 from __future__ import annotations
 
 import re
-from typing import Any, Union
+from typing import Any, Optional, Union
 from xml.parsers import expat
 
 from lxml import etree
 
 from rqt_mrta_py.errors import ConfigError, Problem
 
-__all__ = ["decode_xml", "line_of", "parse_xml"]
+__all__ = ["decode_xml", "joined", "line_of", "parse_xml"]
 
+_WRAP = re.compile(r"\s*[\r\n]\s*")
 _POSITION = re.compile(r",? line \d+, column \d+.*\Z", re.DOTALL)
 _ENCODING = re.compile(rb"""\A\s*<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z0-9._-]+)["']""")
 
@@ -78,6 +79,11 @@ def decode_xml(raw: bytes) -> str:
         return raw.decode(declared.group(1).decode("ascii") if declared else "utf-8", "replace")
     except LookupError:
         return raw.decode("utf-8", "replace")
+
+
+def joined(text: Optional[str]) -> str:
+    """Give a text as files mean it: trimmed, wrapped lines joined by one space; empty for None."""
+    return _WRAP.sub(" ", (text or "").strip())
 
 
 def line_of(node: etree._Element) -> int:
