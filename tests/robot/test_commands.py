@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Dict, List, Sequence, Tuple
 
 import pytest
@@ -51,3 +52,18 @@ def test_a_repetition_after_a_refusal_is_refused_too() -> None:
     for _ in range(2):
         with pytest.raises(ValueError, match=r"^two commands to 'arm' in one tick; at most one is accepted$"):
             commander.publish(twice)
+
+
+def test_commands_that_change_at_every_tick_are_said_as_they_are() -> None:
+    commander = Commander()
+    # Finite each, though their sum is not.
+    fast = (Command("base", Twist(1e308, 1e308, 0.0)),)
+    slow = [Command("base", Twist(0.1, 0.0, -0.2))]
+    assert said(commander, fast) == [("cmd_vel", {"linear": {"x": 1e308, "y": 1e308}, "angular": {"z": 0.0}})]
+    assert said(commander, slow) == [("cmd_vel", {"linear": {"x": 0.1, "y": 0.0}, "angular": {"z": -0.2}})]
+
+
+@pytest.mark.parametrize("twist", [Twist(math.nan), Twist(vy=math.inf), Twist(wz=-math.inf)])
+def test_a_velocity_that_is_not_finite_in_any_part_is_refused(twist: Twist) -> None:
+    with pytest.raises(ValueError, match=r"^a command to 'base' of Twist\(.*\); only finite numbers are accepted$"):
+        Commander().publish((Command("base", twist),))

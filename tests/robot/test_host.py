@@ -27,6 +27,14 @@ def test_host_steps_the_agent_at_its_own_rate_and_the_behaviour_every_tick() -> 
     assert digger.stepped == 9
 
 
+def test_host_makes_up_for_the_agents_steps_in_skipped_ticks_with_one() -> None:
+    agent = Scripted(lambda _: None, rate=10.0)
+    host = make_host(agent)
+    for tick in (0, 1, 101, 102, 103, 104):  # steps 1 to 50 fell into the gap
+        host.step(tick, 1.0 + tick / 20)
+    assert [situation.now for situation in agent.told] == pytest.approx([1.0, 6.05, 6.1, 6.2])
+
+
 def test_host_publishes_commands_as_a_robot_takes_them() -> None:
     steps = (BehaviourStep((Command("base", Twist(0.5, 0.0, 0.1)), Command("gripper", 0.3))),)
     said = make_host(Scripted(lambda _: "dig1"), dig=Digger(steps)).step(0, 1.0)

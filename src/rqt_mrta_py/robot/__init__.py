@@ -2,6 +2,8 @@
 
 * ``host``: joins agent, behaviours and messages, one control tick at a time; does no I/O
 * ``cycle``: at which ticks the agent is stepped
+* ``asking``: questions to agent and behaviours, and who is named when they fail
+* ``hearing``: what behaviours wish to hear
 * ``perception``: the newest messages, as a behaviour sees them
 * ``charges``: the robot's tasks, and what stands in the way of each
 * ``reports``: what is said of tasks, by robots and operators, and what follows

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import math
-from typing import Dict, Optional, Sequence
+from math import isfinite
+from typing import Dict, Optional, Sequence, Tuple, Union
 
 from rqt_mrta_py.hooks import Command, Outgoing
 from rqt_mrta_py.model import Twist
@@ -11,6 +11,9 @@ from rqt_mrta_py.model import Twist
 __all__ = ["Commander"]
 
 _BASE = "base"
+
+_new_outgoing = tuple.__new__
+"""Makes an Outgoing of a tuple of its values, in half the time of the constructor of a NamedTuple."""
 
 
 class Commander:
@@ -21,8 +24,10 @@ class Commander:
     zero.
     """
 
+    __slots__ = ("_moving", "_newest", "_said")
+
     def __init__(self) -> None:
-        self._moving: Sequence[str] = ()
+        self._moving: Tuple[str, ...] = ()
         self._newest: Optional[Sequence[Command]] = None
         self._said: Sequence[Outgoing] = ()
 
@@ -42,34 +47,44 @@ class Commander:
             return self._said
         messages: Dict[str, Outgoing] = {}
         for command in commands:
-            if command.actuator in messages:
-                raise ValueError(f"two commands to {command.actuator!r} in one tick; at most one is accepted")
-            messages[command.actuator] = _message(command)
+            actuator = command.actuator
+            if actuator in messages:
+                raise ValueError(f"two commands to {actuator!r} in one tick; at most one is accepted")
+            messages[actuator] = (
+                _base_message(command.value) if actuator == _BASE else _message(actuator, command.value)
+            )
         commanded = tuple(messages)
-        for actuator in self._moving:
-            if actuator not in messages:
-                messages[actuator] = _message(Command(actuator, Twist() if actuator == _BASE else 0.0))
-        stopping = len(messages) > len(commanded)
+        stops = commanded != self._moving and [actuator for actuator in self._moving if actuator not in messages]
+        if stops:
+            messages.update((actuator, _standstill(actuator)) for actuator in stops)
         self._moving = commanded
         self._said = tuple(messages.values())
         # Only a tuple of the same commands says the same at the next tick.
-        self._newest = commands if commands.__class__ is tuple and not stopping else None
+        self._newest = commands if commands.__class__ is tuple and not stops else None
         return self._said
 
 
-def _message(command: Command) -> Outgoing:
-    actuator, value = command.actuator, command.value
-    if actuator == _BASE:
-        if not isinstance(value, Twist):
-            raise ValueError(f"a command to 'base' of {value!r}; it takes a Twist")
-        numbers = (value.vx, value.vy, value.wz)
-    elif isinstance(value, Twist):
+def _base_message(value: object) -> Outgoing:
+    if not isinstance(value, Twist):
+        raise ValueError(f"a command to 'base' of {value!r}; it takes a Twist")
+    vx, vy, wz = value.vx, value.vy, value.wz
+    if not (isfinite(vx) and isfinite(vy) and isfinite(wz)):
+        raise _not_finite(_BASE, value)
+    fields = {"linear": {"x": vx, "y": vy}, "angular": {"z": wz}}
+    return _new_outgoing(Outgoing, ("cmd_vel", "geometry_msgs/Twist", fields, False))
+
+
+def _message(actuator: str, value: Union[Twist, float]) -> Outgoing:
+    if isinstance(value, Twist):
         raise ValueError(f"a command to {actuator!r} of {value!r}; it takes a number")
-    else:
-        numbers = (value, 0.0, 0.0)
-    if not all(map(math.isfinite, numbers)):
-        raise ValueError(f"a command to {actuator!r} of {value!r}; only finite numbers are accepted")
-    if actuator == _BASE:
-        fields = {"linear": {"x": numbers[0], "y": numbers[1]}, "angular": {"z": numbers[2]}}
-        return Outgoing("cmd_vel", "geometry_msgs/Twist", fields)
-    return Outgoing(f"{actuator}/command", "std_msgs/Float64", {"data": numbers[0]})
+    if not isfinite(value):
+        raise _not_finite(actuator, value)
+    return Outgoing(f"{actuator}/command", "std_msgs/Float64", {"data": value})
+
+
+def _standstill(actuator: str) -> Outgoing:
+    return _base_message(Twist()) if actuator == _BASE else _message(actuator, 0.0)
+
+
+def _not_finite(actuator: str, value: object) -> ValueError:
+    return ValueError(f"a command to {actuator!r} of {value!r}; only finite numbers are accepted")

@@ -11,8 +11,8 @@ __all__ = ["Cycle"]
 class Cycle:
     """Spreads the steps of a rate over control ticks.
 
-    Step k (from 0) is due at tick ceil(k * control_rate / rate). A rate above the control rate is due at every tick,
-    once. Steps that fell into ticks which were skipped are made up for by one step, at once.
+    Step k (from 0) falls on tick ceil(k * control_rate / rate). Of a rate above the control rate, a step falls on every
+    tick, once.
 
     Args:
         rate: steps a second [Hz]; taken as the nearest fraction with a denominator up to a million, so that 0.1 is
@@ -31,15 +31,15 @@ class Cycle:
         exact = Fraction(rate).limit_denominator(1_000_000)
         # Far below one step in a mission, the nearest such fraction is 0; keep the exact value then.
         steps_per_tick = min(Fraction(1), (exact or Fraction(rate)) / control_rate)
-        # Kept as two integers: asked at every tick of every robot, a Fraction takes many times as long.
+        # Kept as two integers: a Fraction takes many times as long.
         self._steps, self._ticks = steps_per_tick.numerator, steps_per_tick.denominator
-        self._last_step = -1
 
-    def due(self, tick: int) -> bool:
-        """Tell whether a step falls on this tick, or fell on one skipped since the last call; asked once per tick."""
+    def after(self, tick: int) -> int:
+        """Give the first tick after this one on which a step falls.
+
+        Args:
+            tick: from -1; the steps that fell on it or before are taken as made.
+        """
         # ceil(k / s) <= tick is k <= s * tick.
-        step = tick * self._steps // self._ticks
-        if step <= self._last_step:
-            return False
-        self._last_step = step
-        return True
+        next_step = tick * self._steps // self._ticks + 1
+        return -(-next_step * self._ticks // self._steps)

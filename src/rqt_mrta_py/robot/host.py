@@ -3,24 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable, Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Set, Tuple, TypeVar
+from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.errors import MrtaError, RobotError
 from rqt_mrta_py.hooks import Agent, Behaviour, BehaviourStep, Decision, Heard, Outgoing, Situation, Subscription
-from rqt_mrta_py.hooks.answers import message_breach
 from rqt_mrta_py.model import Progress, Task
+from rqt_mrta_py.robot.asking import Asking, checked, extend
 from rqt_mrta_py.robot.charges import Charge, Charges, listed
 from rqt_mrta_py.robot.commands import Commander
 from rqt_mrta_py.robot.cycle import Cycle
+from rqt_mrta_py.robot.hearing import HeardBy, behaviours_listeners, wishes
 from rqt_mrta_py.robot.notices import PROGRESS, log_message, progress_message
-from rqt_mrta_py.robot.perception import Audience, BehaviourPerception, Senses
+from rqt_mrta_py.robot.perception import BehaviourPerception, Senses
 from rqt_mrta_py.robot.reports import Reports
 
 __all__ = ["HostSetup", "RobotHost"]
 
-_Result = TypeVar("_Result")
-_Callback = Callable[[Heard], None]
-
+_RUNNING = Progress.RUNNING
 _TOLD_BY_BEHAVIOURS = (Progress.RUNNING, Progress.DONE, Progress.FAILED, Progress.UNREACHABLE)
 
 
@@ -74,6 +73,7 @@ class RobotHost:
         self._agent = setup.agent
         self._agent_name = f"agent {type(setup.agent).__name__}"
         self._senses = Senses()
+        self._asking = Asking(setup.robot_id, self._senses)
         self._views = {kind: BehaviourPerception(self._senses) for kind in setup.behaviours}
         self._charges = Charges(setup.behaviours, self._views, setup.capabilities)
         self._take_on(setup)
@@ -83,30 +83,31 @@ class RobotHost:
             self._cycle = Cycle(setup.agent.rate, setup.control_rate)
         except (TypeError, ValueError) as error:
             raise RobotError(f"{setup.robot_id}: {self._agent_name}: {error}") from error
+        self._next_turn = self._cycle.after(-1)
         self._listeners = self._listen(setup)
         self._commander = Commander()
         self._heard: List[Heard] = []
         self._running: Optional[Charge] = None
         self._refused: Optional[str] = None
+        self._told_of_tasks = False
         self._tick = -1
-        self._paused = False
 
     @property
     def task(self) -> Optional[str]:
         """Id of the task that is being carried out; None if there is none."""
         return self._running.task.id if self._running else None
 
-    def listeners(self) -> Sequence[Tuple[Subscription, _Callback]]:
+    def listeners(self) -> Sequence[Tuple[Subscription, HeardBy]]:
         """List what to hear, with whom to tell; relative names stand in the robot's namespace."""
         return self._listeners
 
     def pause(self) -> None:
         """Stand still: from now on hear nothing and say nothing; what agent and behaviours remember stays."""
-        self._paused = True
+        self._senses.awake = False
 
     def resume(self) -> None:
         """Go on where ``pause`` left off; meanwhile time has passed."""
-        self._paused = False
+        self._senses.awake = True
 
     def step(self, tick: int, now: float) -> Sequence[Outgoing]:
         """Carry out one control tick.
@@ -126,17 +127,20 @@ class RobotHost:
         if tick <= self._tick:
             raise ValueError(f"{self._robot_id}: tick {tick} after tick {self._tick}; ticks must increase")
         self._tick = tick
-        self._senses.now = now
-        if self._paused:
+        senses = self._senses
+        senses.now = now
+        if not senses.awake:
             return ()
         says: List[Outgoing] = []
-        for complaint in self._reports.take_complaints():
-            self._log(complaint, says, warning=True)
-        if self._running is not None and self._charges.is_over(self._running):
-            self._drop("ended elsewhere", says)
-        if self._cycle.due(tick):
+        if self._told_of_tasks:
+            self._take_in_what_was_told(says)
+        if tick >= self._next_turn:
+            self._next_turn = self._cycle.after(tick)
             self._decide(says)
-        self._carry_out(says)
+        done = self._carry_out()
+        if not says:
+            return done
+        says.extend(done)
         return says
 
     def _take_on(self, setup: HostSetup) -> None:
@@ -167,38 +171,31 @@ class RobotHost:
         if problems:
             raise RobotError("\n".join(problems)) from cause
 
-    def _listen(self, setup: HostSetup) -> Sequence[Tuple[Subscription, _Callback]]:
-        listeners: List[Tuple[Subscription, _Callback]] = [(Senses.POSE, self._awake(self._senses.hear_pose))]
-        audiences: Dict[Subscription, Audience] = {}
-        for kind, behaviour in setup.behaviours.items():
-            topics: Set[str] = set()
-            for subscription in self._wishes(f"behaviour {kind!r}", behaviour.subscriptions):
-                if subscription.topic in topics:
-                    raise RobotError(
-                        f"{setup.robot_id}: behaviour {kind!r} subscribes to {subscription.topic!r} twice; "
-                        "one subscription with all fields is accepted"
-                    )
-                topics.add(subscription.topic)
-                audience = audiences.setdefault(subscription, Audience(subscription.topic))
-                audience.add(self._views[kind])
-        listeners.extend((wish, self._awake(audience.hear)) for wish, audience in audiences.items())
-        listeners.append((PROGRESS, self._awake(self._reports.hear)))
-        wishes = self._wishes(self._agent_name, setup.agent.subscriptions)
-        listeners.extend((wish, self._awake(self._hear_for_agent)) for wish in wishes)
+    def _listen(self, setup: HostSetup) -> Sequence[Tuple[Subscription, HeardBy]]:
+        listeners: List[Tuple[Subscription, HeardBy]] = [(Senses.POSE, self._senses.hear_pose)]
+        listeners.extend(
+            behaviours_listeners(self._asking, setup.robot_id, setup.behaviours, self._views, self._senses)
+        )
+        listeners.append((PROGRESS, self._hear_progress))
+        asked_for = wishes(self._asking, self._agent_name, setup.agent.subscriptions)
+        listeners.extend((wish, self._hear_for_agent) for wish in asked_for)
         return tuple(listeners)
 
-    def _wishes(self, who: str, ask: Callable[[], Sequence[Subscription]]) -> Tuple[Subscription, ...]:
-        return self._guard(who, lambda: tuple(_checked(each, Subscription) for each in ask()))
-
-    def _awake(self, hear: _Callback) -> _Callback:
-        def hear_unless_paused(heard: Heard) -> None:
-            if not self._paused:
-                hear(heard)
-
-        return hear_unless_paused
+    def _hear_progress(self, heard: Heard) -> None:
+        if self._senses.awake:
+            self._told_of_tasks = True
+            self._reports.hear(heard)
 
     def _hear_for_agent(self, heard: Heard) -> None:
-        self._heard.append(heard)
+        if self._senses.awake:
+            self._heard.append(heard)
+
+    def _take_in_what_was_told(self, says: List[Outgoing]) -> None:
+        self._told_of_tasks = False
+        for complaint in self._reports.take_complaints():
+            self._log(complaint, says, warning=True)
+        if self._running is not None and self._charges.is_over(self._running):
+            self._drop("ended elsewhere", says)
 
     def _decide(self, says: List[Outgoing]) -> None:
         situation = Situation(
@@ -210,10 +207,15 @@ class RobotHost:
             pose=self._senses.pose,
         )
         self._heard.clear()
-        decision = self._guard(self._agent_name, lambda: _checked(self._agent.step(situation), Decision))
-        self._guard(self._agent_name, lambda: _extend(says, decision.messages))
-        chosen = decision.task
-        self._follow(chosen if chosen is None else self._guard(self._agent_name, lambda: _checked(chosen, str)), says)
+        try:
+            decision = checked(self._agent.step(situation), Decision)
+            extend(says, decision.messages)
+            chosen = decision.task if decision.task is None else checked(decision.task, str)
+        except MrtaError:
+            raise
+        except Exception as error:
+            raise self._asking.failure(self._agent_name, error) from error
+        self._follow(chosen, says)
 
     def _applicable(self) -> Dict[str, bool]:
         applicable = {}
@@ -223,12 +225,12 @@ class RobotHost:
             except MrtaError:
                 raise
             except Exception as error:
-                raise self._failure(_who(charge), error) from error
+                raise self._asking.failure(_who(charge), error) from error
         return applicable
 
     def _cost(self, task_id: str) -> Optional[float]:
         charge = self._charge(task_id, "asked for the cost of")
-        return self._guard(_who(charge), charge.cost)
+        return self._asking.ask(_who(charge), charge.cost)
 
     def _charge(self, task_id: str, verb: str) -> Charge:
         charge = self._charges.find(task_id)
@@ -257,32 +259,41 @@ class RobotHost:
                 self._refused = chosen
                 self._log(f"task={chosen} chosen, but {hindrance}", says, warning=True)
             return
-        self._guard(_who(charge), lambda: charge.behaviour.start(charge.task, charge.perception))
+        self._asking.ask(_who(charge), lambda: charge.behaviour.start(charge.task, charge.perception))
         self._running = charge
         self._tell(charge.task.id, Progress.RUNNING, "", says)
 
-    def _carry_out(self, says: List[Outgoing]) -> None:
+    def _carry_out(self) -> Sequence[Outgoing]:
         charge = self._running
         if charge is None:
-            says.extend(self._commander.publish(()))
-            return
+            return self._commander.publish(())
         task, behaviour, perception = charge
         try:
-            step = _checked(behaviour.step(task, perception), BehaviourStep)
-            if step.progress not in _TOLD_BY_BEHAVIOURS:
-                accepted = ", ".join(progress.name for progress in _TOLD_BY_BEHAVIOURS)
-                raise ValueError(f"a progress of {step.progress!r}; {accepted} are accepted")
-            if step.messages:
-                _extend(says, step.messages)
-            says.extend(self._commander.publish(step.commands))
+            step = behaviour.step(task, perception)
+            # At most ticks of most robots nothing is said but commands.
+            if step.__class__ is BehaviourStep and step.progress is _RUNNING and not step.messages:
+                return self._commander.publish(step.commands)
+            says = self._take_in(checked(step, BehaviourStep))
         except MrtaError:
             raise
         except Exception as error:
-            raise self._failure(_who(charge), error) from error
-        if step.progress is not Progress.RUNNING:
+            raise self._asking.failure(_who(charge), error) from error
+        if step.progress is not _RUNNING:
             self._running = None
             self._reports.add(task.id, step.progress, step.detail)
             self._tell(task.id, step.progress, step.detail, says)
+        return says
+
+    def _take_in(self, step: BehaviourStep) -> List[Outgoing]:
+        """Check a behaviour's answer; give its messages and commands."""
+        if step.progress not in _TOLD_BY_BEHAVIOURS:
+            accepted = ", ".join(progress.name for progress in _TOLD_BY_BEHAVIOURS)
+            raise ValueError(f"a progress of {step.progress!r}; {accepted} are accepted")
+        says: List[Outgoing] = []
+        if step.messages:
+            extend(says, step.messages)
+        says.extend(self._commander.publish(step.commands))
+        return says
 
     def _drop(self, why: str, says: List[Outgoing]) -> None:
         if self._running:
@@ -297,32 +308,6 @@ class RobotHost:
         line = f"robot={self._robot_id} {text}"
         says.append(log_message(self._robot_id, line, self._senses.now, warning=warning))
 
-    def _guard(self, who: str, question: Callable[[], _Result]) -> _Result:
-        try:
-            return question()
-        except MrtaError:
-            raise
-        except Exception as error:
-            raise self._failure(who, error) from error
-
-    def _failure(self, who: str, error: Exception) -> RobotError:
-        cause = f"{type(error).__name__}: {error}"
-        return RobotError(f"{self._robot_id}: {who} failed at {self._senses.now:.3f} s: {cause}")
-
 
 def _who(charge: Charge) -> str:
     return f"behaviour {charge.task.kind!r} on task {charge.task.id!r}"
-
-
-def _checked(value: _Result, wanted: type) -> _Result:
-    if not isinstance(value, wanted):
-        raise TypeError(f"answered {value!r}; accepted is {wanted.__name__}")
-    return value
-
-
-def _extend(says: List[Outgoing], messages: Iterable[Outgoing]) -> None:
-    for message in messages:
-        breach = message_breach(message)
-        if breach is not None:
-            raise TypeError(breach)
-        says.append(message)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from operator import itemgetter
 from typing import Dict, List, Optional
 
 from rqt_mrta_py.hooks import Heard, Subscription
@@ -12,7 +13,15 @@ __all__ = ["Audience", "BehaviourPerception", "Senses"]
 
 
 class Senses:
-    """What all behaviours of one robot share: the time, and the pose that its localiser gives."""
+    """What all behaviours of one robot share: the time, and the pose that its localiser gives.
+
+    Attributes:
+        now: the time [s].
+        pose: newest that was believed, in the frame ``map``; None before the first.
+        awake: whether the robot hears; if not, whatever comes is lost.
+    """
+
+    __slots__ = ("awake", "now", "pose")
 
     POSE = Subscription(
         "pose",
@@ -28,15 +37,21 @@ class Senses:
     )
 
     def __init__(self) -> None:
+        self.awake = True
         self.now = 0.0
         self.pose: Optional[Pose] = None
 
     def hear_pose(self, heard: Heard) -> None:
         """Take in a pose; one that is not finite is not believed."""
-        x, y, qx, qy, qz, qw = (heard.fields[path] for path in self.POSE.fields)
+        if not self.awake:
+            return
+        x, y, qx, qy, qz, qw = _position_and_turn(heard.fields)
         yaw = math.atan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz))
         if math.isfinite(x) and math.isfinite(y) and math.isfinite(yaw):
             self.pose = Pose(x, y, yaw)
+
+
+_position_and_turn = itemgetter(*Senses.POSE.fields)
 
 
 class BehaviourPerception:
@@ -45,6 +60,8 @@ class BehaviourPerception:
     Args:
         senses: shared by all behaviours of the robot.
     """
+
+    __slots__ = ("_newest", "_senses")
 
     def __init__(self, senses: Senses) -> None:
         self._senses = senses
@@ -64,27 +81,32 @@ class BehaviourPerception:
         """Give the newest message of a topic by the name it was subscribed to; None before the first."""
         return self._newest.get(topic)
 
-    def remember(self, topic: str, heard: Heard) -> None:
-        """Make a message the newest of the topic that was subscribed to under this name."""
-        self._newest[topic] = heard
+    def join(self, audience: Audience) -> None:
+        """See from now on what an audience hears."""
+        audience.add(self._newest)
 
 
 class Audience:
     """The views that wait for one subscription: behaviours that ask for the same share one callback.
 
     Args:
+        senses: of the robot.
         topic: as named in the subscription.
     """
 
-    def __init__(self, topic: str) -> None:
-        self._topic = topic
-        self._views: List[BehaviourPerception] = []
+    __slots__ = ("_memories", "_senses", "_topic")
 
-    def add(self, view: BehaviourPerception) -> None:
-        """Let one more view remember what comes."""
-        self._views.append(view)
+    def __init__(self, senses: Senses, topic: str) -> None:
+        self._senses = senses
+        self._topic = topic
+        self._memories: List[Dict[str, Heard]] = []
+
+    def add(self, memory: Dict[str, Heard]) -> None:
+        """Let one more memory hold what is newest."""
+        self._memories.append(memory)
 
     def hear(self, heard: Heard) -> None:
-        """Hand a message to every view."""
-        for view in self._views:
-            view.remember(self._topic, heard)
+        """Make a message the newest of the topic, by the name used in the subscription."""
+        if self._senses.awake:
+            for newest in self._memories:
+                newest[self._topic] = heard
