@@ -1,7 +1,7 @@
-"""From a package.xml, of format 1, 2 or 3, to what its package registers.
+"""From a package.xml, of format 1, 2 or 3, or a rosbuild manifest.xml, to what its package registers.
 
 A package takes part if it depends directly, at run time, on ``rqt_mrta`` or ``rqt_mrta_py`` and exports a tag of
-either name. A ``condition=`` is disregarded, as rospack does.
+either name. A ``condition=`` is disregarded, as rospack does; a metapackage registers nothing, as there.
 """
 
 from __future__ import annotations
@@ -21,10 +21,16 @@ from rqt_mrta_py.config.xml.text import line_of, parse_xml
 from rqt_mrta_py.errors import Problem
 from rqt_mrta_py.wording import accepted, shown
 
-__all__ = ["HOSTS", "Manifest", "read_manifest"]
+__all__ = ["HOSTS", "MANIFEST", "ROSBUILD_MANIFEST", "Manifest", "read_manifest"]
 
 HOSTS = ("rqt_mrta", "rqt_mrta_py")
 """Packages that can be depended on, and names of export tags."""
+
+MANIFEST = "package.xml"
+"""Of a package as catkin builds it."""
+
+ROSBUILD_MANIFEST = "manifest.xml"
+"""Of a package from before catkin; it has the name of its folder."""
 
 _RUN_TIME = ("run_depend", "exec_depend", "depend")
 _FILES = ("scenario", "tasks")
@@ -34,11 +40,12 @@ _MODULE = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*\Z", re.ASCII)
 
 @dataclass(frozen=True)
 class Manifest:
-    """What matters here of one package.xml.
+    """What matters here of one manifest.
 
     Attributes:
         name: of the package.
         folder: that holds the manifest.
+        metapackage: True if it only names other packages; ROS does not count it as one itself.
         registrations: in file order; of one tag the architecture first, then application, then plugin.
         problems: of tags that register nothing.
     """
@@ -47,10 +54,11 @@ class Manifest:
     folder: Path
     registrations: Tuple[Registration, ...] = ()
     problems: Tuple[Problem, ...] = ()
+    metapackage: bool = False
 
 
 def read_manifest(path: Path) -> Manifest:
-    """Read a package.xml.
+    """Read a package.xml or, if the file is called so, a rosbuild manifest.xml.
 
     Args:
         path: of the file.
@@ -60,9 +68,11 @@ def read_manifest(path: Path) -> Manifest:
     """
     problems = Problems(str(path))
     root = parse_xml(read_file(path), str(path))
+    _drop_namespace(root)
     if root.tag != "package":
         problems.add(line_of(root), str(root.tag), "is not the root of a manifest; accepted: package")
-    name = (root.findtext("name") or "").strip()
+    is_rosbuild = path.name == ROSBUILD_MANIFEST
+    name = path.absolute().parent.name if is_rosbuild else (root.findtext("name") or "").strip()
     if not name:
         problems.add(line_of(root), "name", "is missing or empty; give the name of the package")
     problems.raise_if_any()
@@ -83,7 +93,11 @@ class _Reader:
     def read(self, root: etree._Element) -> Manifest:
         tags = [tag for export in root.iterfind("export") for host in HOSTS for tag in export.iterfind(host)]
         tags.sort(key=line_of)
-        if tags and not (self._name in HOSTS or _depends(root)):
+        metapackage = root.find("export/metapackage") is not None
+        if tags and metapackage:
+            self._note(tags[0], "", "counts for nothing in a metapackage; export it from a package of its own")
+            tags = []
+        elif tags and not (self._name in HOSTS or _depends(root, self._path.name == ROSBUILD_MANIFEST)):
             self._note(tags[0], "", f"counts only with a direct <exec_depend>{tags[0].tag}</exec_depend>; add it")
             tags = []
         registrations = [registration for tag in tags for registration in self._registrations(tag)]
@@ -96,6 +110,7 @@ class _Reader:
             self._folder,
             tuple(self._with_files(entry) if entry in applications else entry for entry in registrations),
             self._problems.found,
+            metapackage,
         )
 
     def _with_files(self, application: Registration) -> Registration:
@@ -175,5 +190,17 @@ class _Reader:
         self._problems.add(line_of(tag), element, message)
 
 
-def _depends(root: etree._Element) -> bool:
+def _depends(root: etree._Element, is_rosbuild: bool) -> bool:
+    if is_rosbuild:
+        return any(node.get("package") in HOSTS for node in root.iterfind("depend"))
     return any((node.text or "").strip() in HOSTS for tag in _RUN_TIME for node in root.iterfind(tag))
+
+
+def _drop_namespace(root: etree._Element) -> None:
+    """Call elements by their plain names where the root declares a namespace for all; ROS's tools know none."""
+    space, _, _ = str(root.tag).rpartition("}")
+    if not space:
+        return
+    for node in root.iter():
+        if str(node.tag).startswith(f"{space}}}"):
+            node.tag = str(node.tag)[len(space) + 1 :]

@@ -17,7 +17,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Set, Tuple
 
-from rqt_mrta_py.config.discovery.manifest import HOSTS, Manifest, read_manifest
+from rqt_mrta_py.config.discovery.manifest import HOSTS, MANIFEST, ROSBUILD_MANIFEST, Manifest, read_manifest
 from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind, Registry
 from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.errors import ConfigError, Problem
@@ -26,15 +26,16 @@ __all__ = ["discover", "own_packages"]
 
 _log = logging.getLogger("rqt_mrta_py.config")
 
-_MANIFEST = "package.xml"
 _GROUP = "rqt_mrta_py"
 _OWN = "rqt_mrta_py"
 _DEBIAN = (Path("/usr/share"),)
 _MENTION = HOSTS[0].encode("ascii")
 _COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
 _NAME = re.compile(rb"<name>\s*([A-Za-z][A-Za-z0-9_-]*)\s*</name>")
-_IGNORE = ("CATKIN_IGNORE",)
-_STOP = ("rospack_nosubdirs", "manifest.xml")
+_METAPACKAGE = b"<metapackage"
+_IGNORE = "CATKIN_IGNORE"
+_STOP = "rospack_nosubdirs"
+_MARKS = frozenset((MANIFEST, ROSBUILD_MANIFEST, _IGNORE, _STOP))
 
 
 def discover(
@@ -63,7 +64,7 @@ def discover(
         search.share(folder)
     brought = list(own_packages() if own is None else own)
     installed = Path(prefix) / "share"
-    is_of_another_copy = (installed / _OWN / _MANIFEST).is_file() and installed.resolve() not in brought
+    is_of_another_copy = (installed / _OWN / MANIFEST).is_file() and installed.resolve() not in brought
     for folder in [*brought, installed] if is_of_another_copy else [installed, *brought]:
         search.place(folder)
     search.entry_points(metadata.distributions() if distributions is None else distributions)
@@ -80,10 +81,10 @@ def own_packages() -> Tuple[Path, ...]:
     """
     parents = Path(__file__).resolve().parents
     root = parents[4]
-    if (root / _MANIFEST).is_file() and (root / "src" / _OWN).is_dir():
+    if (root / MANIFEST).is_file() and (root / "src" / _OWN).is_dir():
         return (root, root / "plugins")
     for parent in parents:
-        if (parent / "share" / _OWN / _MANIFEST).is_file():
+        if (parent / "share" / _OWN / MANIFEST).is_file():
             return (parent / "share", parent / "share" / _OWN / "stubs")
     return ()
 
@@ -115,14 +116,16 @@ class _Search:
                     found = sorted(entries, key=lambda entry: entry.name)
             except OSError:
                 continue
-            names = {entry.name for entry in found}
+            marks = {entry.name for entry in found if entry.name in _MARKS and _is_file(entry)}
             identity = (status.st_dev, status.st_ino)
-            if identity in self._visited or any(name in names for name in _IGNORE):
+            if identity in self._visited or _IGNORE in marks:
                 continue
             self._visited.add(identity)
-            if _MANIFEST in names:
-                self._take(here / _MANIFEST)
-            elif not any(name in names for name in _STOP):
+            if MANIFEST in marks:
+                self._take(here / MANIFEST)
+            elif ROSBUILD_MANIFEST in marks:
+                self._take(here / ROSBUILD_MANIFEST)
+            elif _STOP not in marks:
                 pending.extend(Path(entry.path) for entry in reversed(found) if _is_open_folder(entry))
 
     def share(self, folder: Path) -> None:
@@ -133,10 +136,10 @@ class _Search:
         except OSError:
             return
         for name in names:
-            manifest = os.path.join(folder, name, _MANIFEST)  # noqa: PTH118 - most of many names have none
+            manifest = os.path.join(folder, name, MANIFEST)  # noqa: PTH118 - most of many names have none
             if not os.path.isfile(manifest):  # noqa: PTH113 - the same
                 continue
-            if not any((folder / name / mark).exists() for mark in _IGNORE):
+            if not (folder / name / _IGNORE).is_file():
                 self._take(Path(manifest))
 
     def entry_points(self, distributions: Iterable[metadata.Distribution]) -> None:
@@ -161,6 +164,9 @@ class _Search:
         except ConfigError as error:
             self.problems.extend(error.problems)
             return
+        if manifest.metapackage:
+            self.problems.extend(manifest.problems)
+            return
         if manifest.name in self.packages:
             return
         self.packages[manifest.name] = manifest.folder
@@ -169,16 +175,25 @@ class _Search:
 
 
 def _skim(path: Path) -> Manifest:
-    """Read a manifest; one that does not mention us is not parsed, for its name is all that matters then.
+    """Read a manifest; one that does not mention us is not parsed if its name is all that matters.
 
     Where the encoding hides a mention, it hides the name too, and the manifest is parsed.
     """
     raw = read_file(path)
-    if _MENTION not in raw:
+    if _MENTION not in raw and _METAPACKAGE not in raw:
+        if path.name == ROSBUILD_MANIFEST:
+            return Manifest(path.parent.name, path.parent)
         name = _NAME.search(_COMMENT.sub(b"", raw))
         if name is not None:
             return Manifest(name.group(1).decode("ascii"), path.parent)
     return read_manifest(path)
+
+
+def _is_file(entry: os.DirEntry[str]) -> bool:
+    try:
+        return entry.is_file()
+    except OSError:
+        return False
 
 
 def _is_open_folder(entry: os.DirEntry[str]) -> bool:
