@@ -84,6 +84,10 @@ class PathKeeper:
             points = tuple(point for point in recent if point[0] >= oldest)
         return self._ending_in_newest(points)
 
+    def fades(self, trail: Tuple[_Point, ...], now: float) -> bool:
+        """Tell whether a trail given earlier begins with a point that is too old by now [s]."""
+        return len(trail) > 1 and trail[0][0] < now - self._trail
+
     def whole(self) -> Tuple[_Point, ...]:
         """Give the whole path, which ends at the newest point."""
         return self._ending_in_newest(tuple(self._whole))

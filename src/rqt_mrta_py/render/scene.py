@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Callable, Dict, List, Mapping, Optional, Sequence
+from typing import Callable, Dict, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.config import read_task
 from rqt_mrta_py.errors import ConfigError
@@ -86,10 +86,8 @@ class SceneTracker:
             now: the moment, not before the newest message heard [s].
             whole: give whole paths, thinned, rather than the trails of the last seconds.
         """
-        robots: List[RobotSight] = []
-        for robot, track in self._tracks.items():
-            trail = track.path.whole() if whole else track.path.recent(now)
-            robots.append(RobotSight(robot, track.pose(), track.radius, trail))
+        tracks = self._tracks.values()
+        robots = [track.whole_sight() for track in tracks] if whole else [track.sight(now) for track in tracks]
         return SceneView(
             self._arena, self._obstacles, tuple(robots), tuple(self._tasks.values()), self._labels.labels()
         )
@@ -139,21 +137,37 @@ class SceneTracker:
             longest=max(min(_PATH_POINTS // team, 4000), _FEWEST),
         )
         model = self._models.get(self._model_of.get(robot, ""))
-        return _Track(path, DEFAULT_RADIUS if model is None else model.radius)
+        return _Track(robot, path, DEFAULT_RADIUS if model is None else model.radius)
 
 
 class _Track:
     """One robot: its path, its newest orientation as x, y, z, w, whether it ever told a pose, its radius [m]."""
 
-    __slots__ = ("located", "path", "radius", "turn")
+    __slots__ = ("_robot", "_seen", "_seen_at", "_sight", "located", "path", "radius", "turn")
 
-    def __init__(self, path: PathKeeper, radius: float) -> None:
+    def __init__(self, robot: str, path: PathKeeper, radius: float) -> None:
+        self._robot = robot
         self.path = path
         self.radius = radius
         self.turn = (0.0, 0.0, 0.0, 1.0)
         self.located = False
+        self._sight: Optional[RobotSight] = None
+        self._seen: Optional[Tuple[float, float, float]] = None
+        self._seen_at = 0.0
 
-    def pose(self) -> Optional[Pose]:
+    def sight(self, now: float) -> RobotSight:
+        """Give the robot with its recent trail; the same object until it is heard again or the trail grows old."""
+        sight, path = self._sight, self.path
+        if sight is None or path.newest is not self._seen or now < self._seen_at or path.fades(sight.trail, now):
+            sight = self._sight = RobotSight(self._robot, self._pose(), self.radius, path.recent(now))
+            self._seen, self._seen_at = path.newest, now
+        return sight
+
+    def whole_sight(self) -> RobotSight:
+        """Give the robot with its whole path."""
+        return RobotSight(self._robot, self._pose(), self.radius, self.path.whole())
+
+    def _pose(self) -> Optional[Pose]:
         if self.path.newest is None:
             return None
         _, x, y = self.path.newest

@@ -150,10 +150,11 @@ class AllocationBook:
     def records(self, end: float) -> Tuple[Allocation, ...]:
         """List all allocations by start, then by the order in which they began; open ones end at a time [s]."""
         entries = dict(self._ended)
+        is_open = Outcome.OPEN
         for holds in self._of_robot.values():
             for hold in holds.values():
-                entries[hold.order] = Allocation(hold.task, hold.robot, hold.start, end, Outcome.OPEN)
-        return tuple(entries[order] for order in sorted(entries))
+                entries[hold.order] = Allocation(hold.task, hold.robot, hold.start, end, is_open)
+        return tuple([entries[order] for order in sorted(entries)])
 
     def fork(self) -> AllocationBook:
         """Copy the book, so that the copy can go on by itself."""

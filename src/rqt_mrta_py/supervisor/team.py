@@ -246,11 +246,11 @@ class Team:
 
     def robot_records(self, end: float) -> Tuple[RobotRecord, ...]:
         """Give all robots up to a time [s], in the application's order, then by first sight."""
-        return tuple(robot.record(end) for robot in watches_in(self.robots))
+        return tuple([robot.record(end) for robot in watches_in(self.robots)])
 
     def task_records(self, end: float) -> Tuple[TaskRecord, ...]:
         """Give all tasks up to a time [s], in the mission's order, then by first sight."""
-        return tuple(task.record(end) for task in watches_in(self.tasks))
+        return tuple([task.record(end) for task in watches_in(self.tasks)])
 
     def allocation_records(self, end: float) -> Tuple[Allocation, ...]:
         """Give all allocations up to a time [s], by start, then by the order in which they began."""
