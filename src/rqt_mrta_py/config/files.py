@@ -1,12 +1,14 @@
-"""Files read whole, and files that are there whole or not at all."""
+"""Files read whole, and files that are there whole or not at all, one by one or several together."""
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
+from typing import Dict, List, Mapping, Optional
 
 from rqt_mrta_py.errors import ConfigError, Problem
 
-__all__ = ["read_file", "write_whole"]
+__all__ = ["read_file", "write_together", "write_whole"]
 
 
 def read_file(path: Path) -> bytes:
@@ -41,3 +43,98 @@ def write_whole(path: Path, data: bytes) -> None:
         except OSError:
             pass
         raise
+
+
+def write_together(texts: Mapping[Path, Optional[str]]) -> None:
+    """Write and remove files, all of them or none.
+
+    Files are written aside, with the rights of those they replace, and renamed at the end. What a link points to is
+    replaced, not the link. Folders are made where they are missing.
+
+    Args:
+        texts: content by path; None: the file shall not be there.
+
+    Raises:
+        ConfigError: one of them cannot be written or removed; says why. Everything is as it was before.
+    """
+    change = _Change()
+    path = Path()
+    try:
+        for path, text in texts.items():
+            change.prepare(path, text)
+        for path in texts:
+            change.carry_out(path)
+    except OSError as error:
+        change.undo()
+        message = f"cannot be written: {error.strerror or error}; nothing was changed"
+        raise ConfigError([Problem(str(path), 0, "", message)]) from error
+    except BaseException:
+        change.undo()
+        raise
+    change.finish()
+
+
+class _Change:
+    """Files on their way from what they were to what they shall be."""
+
+    def __init__(self) -> None:
+        self._targets: Dict[Path, Path] = {}
+        self._new: Dict[Path, Path] = {}
+        self._old: Dict[Path, Path] = {}
+        self._placed: List[Path] = []
+        self._folders: List[Path] = []
+
+    def prepare(self, path: Path, text: Optional[str]) -> None:
+        target = self._targets[path] = path if text is None else path.resolve()
+        if target.is_dir():
+            raise IsADirectoryError(None, "Is a directory")
+        if text is None:
+            return
+        self._make_folder(target.parent)
+        self._new[target] = aside = target.with_name(f".{target.name}.part")
+        aside.write_bytes(text.encode("utf-8"))
+        if target.exists():
+            shutil.copymode(target, aside)
+
+    def carry_out(self, path: Path) -> None:
+        target = self._targets[path]
+        if target.exists() or target.is_symlink():
+            before = target.with_name(f".{target.name}.before")
+            target.replace(before)
+            self._old[target] = before
+        if target in self._new:
+            self._new[target].replace(target)
+            self._placed.append(target)
+
+    def undo(self) -> None:
+        for target in self._placed:
+            _remove(target)
+        for target, before in self._old.items():
+            before.replace(target)
+        for aside in self._new.values():
+            _remove(aside)
+        for folder in reversed(self._folders):
+            try:
+                folder.rmdir()
+            except OSError:
+                pass
+
+    def finish(self) -> None:
+        for before in self._old.values():
+            _remove(before)
+
+    def _make_folder(self, folder: Path) -> None:
+        missing = []
+        while not folder.exists():
+            missing.append(folder)
+            folder = folder.parent
+        for each in reversed(missing):
+            each.mkdir()
+            self._folders.append(each)
+
+
+def _remove(path: Path) -> None:
+    try:
+        path.unlink()
+    except OSError:
+        pass

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Protocol, Sequence, Tuple
+from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Protocol, Sequence, Tuple
 
 from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.config.parameters.context import ParameterContext
@@ -13,7 +13,21 @@ from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ApplicationRobot, ApplicationSpec, ArchitectureSpec, ConfigTemplate, Task
 from rqt_mrta_py.wording import accepted
 
-__all__ = ["ParameterChecks", "Team", "config_name", "resolve_shared", "resolve_team"]
+__all__ = [
+    "FileReader",
+    "ParameterChecks",
+    "Team",
+    "config_name",
+    "file_name",
+    "no_files",
+    "parameter_folder",
+    "read_if_there",
+    "resolve_shared",
+    "resolve_team",
+]
+
+FileReader = Callable[[Path], Optional[bytes]]
+"""Gives the content of a parameter file; None where it does not count."""
 
 
 class ParameterChecks(Protocol):
@@ -56,12 +70,36 @@ class Team(NamedTuple):
 
 
 def config_name(robot_id: str, config_id: str) -> str:
-    """Name one robot's copy of a config, which is also the name of its file."""
-    return f"{robot_id.replace('/', '_')}_{config_id}"
+    """Name one robot's copy of a config, which is also the name of its file; slashes never make folders."""
+    return file_name(f"{robot_id}_{config_id}")
+
+
+def file_name(config_id: str) -> str:
+    """Name the file of a config or launch, without its ending."""
+    return config_id.replace("/", "_")
+
+
+def parameter_folder(team: Team) -> Path:
+    """Give the folder of a team's YAML files: ``config``, under another architecture ``config/<architecture>``."""
+    folder = team.application_file.parent / "config"
+    return folder if team.at_home else folder / team.architecture.package
+
+
+def read_if_there(path: Path) -> Optional[bytes]:
+    """Read a parameter file; None where there is none."""
+    return read_file(path) if path.is_file() else None
+
+
+def no_files(_path: Path) -> Optional[bytes]:
+    """Leave every parameter file out, so that only rqt_mrta.xml files count."""
+    return None
 
 
 def resolve_team(
-    team: Team, overrides: Sequence[str] = (), checks: Optional[ParameterChecks] = None
+    team: Team,
+    overrides: Sequence[str] = (),
+    checks: Optional[ParameterChecks] = None,
+    read: FileReader = read_if_there,
 ) -> Dict[str, ResolvedParameters]:
     """Resolve the parameters of every robot.
 
@@ -73,6 +111,7 @@ def resolve_team(
         team: whose.
         overrides: each ``<robot>/<path>=<value>``.
         checks: asks plugins about what was resolved; None: they are not asked.
+        read: gives the YAML files.
 
     Returns:
         Parameters by robot, in the application's order.
@@ -87,8 +126,9 @@ def resolve_team(
     resolved: Dict[str, ResolvedParameters] = {}
     for robot in robots:
         try:
-            names = (team.template.id, config_name(robot.id, team.template.id)) if team.template.id else ()
-            layers = [*_file_layers(team, names), given.get(robot.id, {})]
+            shared = file_name(team.template.id)
+            names = (shared, config_name(robot.id, shared)) if shared else ()
+            layers = [*_file_layers(team, names, read), given.get(robot.id, {})]
             resolved[robot.id] = resolve_parameters(team.template, layers, _context(team, robot))
         except ConfigError as error:
             problems.extend(error.problems)
@@ -100,11 +140,12 @@ def resolve_team(
     return resolved
 
 
-def resolve_shared(team: Team) -> Dict[str, ResolvedParameters]:
+def resolve_shared(team: Team, read: FileReader = read_if_there) -> Dict[str, ResolvedParameters]:
     """Resolve the configs that no single robot owns, such as ``tasks_alliance_params``.
 
     Args:
         team: whose; sources as of ``resolve_team``, without the command line.
+        read: gives the YAML files.
 
     Returns:
         Parameters by id of the config, in the architecture's order.
@@ -119,7 +160,9 @@ def resolve_shared(team: Team) -> Dict[str, ResolvedParameters]:
         if template.id == team.template.id:
             continue
         try:
-            resolved[template.id] = resolve_parameters(template, list(_file_layers(team, [template.id])), context)
+            resolved[template.id] = resolve_parameters(
+                template, list(_file_layers(team, [file_name(template.id)], read)), context
+            )
         except ConfigError as error:
             problems.extend(error.problems)
     if problems:
@@ -138,29 +181,27 @@ def _context(team: Team, robot: ApplicationRobot) -> ParameterContext:
     )
 
 
-def _file_layers(team: Team, names: Sequence[str]) -> Iterator[Layer]:
+def _file_layers(team: Team, names: Sequence[str], read: FileReader) -> Iterator[Layer]:
     """Give what files say under some names of configs, later names over earlier ones, YAML over XML."""
-    folder = team.application_file.parent / "config"
     if team.at_home:
         for name in names:
             for config in team.application.configs:
-                if config.id.replace("/", "_") == name:
+                if file_name(config.id) == name:
                     yield xml_layer(config.items, str(team.application_file))
-    else:
-        folder = folder / team.architecture.package
     for name in names:
-        path = folder / f"{name}.yaml"
-        if path.is_file():
-            yield yaml_layer(read_file(path), str(path))
+        path = parameter_folder(team) / f"{name}.yaml"
+        text = read(path)
+        if text is not None:
+            yield yaml_layer(text, str(path))
 
 
 def _strange_configs(team: Team) -> Iterator[Problem]:
     """Find configs that would never be read."""
     template = team.template.id
     known = [config_name(robot.id, template) for robot in team.application.robots] if template else []
-    known.extend(config.id for config in team.architecture.configs)
+    known.extend(file_name(config.id) for config in team.architecture.configs)
     for config in team.application.configs:
-        if config.id.replace("/", "_") not in known:
+        if file_name(config.id) not in known:
             message = f"{config.id!r} is no config of {team.architecture.package}; {accepted(config.id, known)}"
             yield Problem(str(team.application_file), config.line, "configs/id", message)
 
