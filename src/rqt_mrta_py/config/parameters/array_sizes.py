@@ -7,34 +7,18 @@ others take those that are left, in order.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 from typing import Callable, Dict, Optional, Sequence
 
-from rqt_mrta_py.config.parameters.context import ParameterContext, Path, Place
+from rqt_mrta_py.config.parameters.context import ArraySize, ParameterContext, Path, Place
 from rqt_mrta_py.config.parameters.layers import Given, GivenValues
 from rqt_mrta_py.config.parameters.values import check_value, parse_text
+from rqt_mrta_py.config.substitution import INDEX_TOKEN, SIZE_TOKEN, substitute
 from rqt_mrta_py.model import TASK_TOKEN, ArrayTemplate, MapTemplate, ParameterTemplate, ParameterType, TemplateItem
 from rqt_mrta_py.wording import shown
 
-__all__ = ["ArraySize", "ArraySizer"]
+__all__ = ["ArraySizer", "element_name"]
 
 _MOST_ELEMENTS = 1000
-_SIZE_TOKEN = "@array_size@"
-
-
-@dataclass
-class ArraySize:
-    """The elements that the arrays of a group have.
-
-    Attributes:
-        size: their number.
-        tasks: what an element stands for, by index.
-        by_task: True if elements stand for tasks.
-    """
-
-    size: int
-    tasks: Dict[int, str] = field(default_factory=dict)
-    by_task: bool = False
 
 
 class ArraySizer:
@@ -65,7 +49,7 @@ class ArraySizer:
         sizes = [item for item in items if isinstance(item, ParameterTemplate) and item.name == "size"]
         if not arrays or not sizes:
             return None
-        by_task = not place.in_task_array and any(_mentions_task(array.items) for array in arrays)
+        by_task = not place.in_task_array and any(map(_stands_for_tasks, arrays))
         seen = max([self._highest_index(array, place) + 1 for array in arrays])
         explicit = self._explicit_size(sizes[0], place)
         if not by_task:
@@ -87,7 +71,7 @@ class ArraySizer:
         """Give the size that a layer gives as a number; None if none does."""
         inner = place.inner(item.name)
         given = self._given.look_up(inner)
-        if given is None or given.value == _SIZE_TOKEN:
+        if given is None or given.value == SIZE_TOKEN:
             return None
         try:
             size = parse_text(given.value, ParameterType.INT) if given.is_text else check_value(given.value, item.type)
@@ -101,7 +85,7 @@ class ArraySizer:
     def _implied_size(self, item: ParameterTemplate, place: Place, seen: int) -> int:
         texts = [text for text in (item.value, item.default) if text is not None]
         numbers = [int(text) for text in texts if re.match(r"[0-9]{1,9}\Z", text)]
-        if texts and texts[0] == _SIZE_TOKEN:
+        if texts and texts[0] == SIZE_TOKEN:
             return seen or (min(numbers[0], _MOST_ELEMENTS) if numbers else 0)
         if not texts:
             where = Given(None, True, self._context.values_source, 0)
@@ -110,8 +94,9 @@ class ArraySizer:
 
     def _highest_index(self, array: ArrayTemplate, place: Place) -> int:
         """Give the highest index for which a layer gives anything; -1 if there is none."""
-        before, token, after = array.name.partition("@index@")
-        pattern = re.compile(f"{re.escape(before)}([0-9]{{1,4}}){re.escape(after if token else '')}\\Z")
+        name = substitute(element_name(array, by_task=False), place.fixed)
+        before, _, after = name.partition(INDEX_TOKEN)
+        pattern = re.compile(f"{re.escape(before)}([0-9]{{1,4}}){re.escape(after)}\\Z")
         depth = len(place.path)
         highest = -1
         for path in self._given.paths:
@@ -125,15 +110,25 @@ class ArraySizer:
         """Give the tasks that elements name themselves, by index."""
         claims: Dict[int, str] = {}
         for array in arrays:
-            name = array.name if "@index@" in array.name else f"{array.name}@index@"
+            name = element_name(array, by_task=True)
             for item in array.items:
                 if not isinstance(item, ParameterTemplate) or TASK_TOKEN not in (item.value, item.default):
                     continue
                 for index in range(seen):
-                    given = self._given.get(place.inner(name, index=index).inner(item.name).path)
+                    given = self._given.get(place.element(name, index, ArraySize(seen)).inner(item.name).path)
                     if given is not None and isinstance(given.value, str) and TASK_TOKEN not in given.value:
                         claims.setdefault(index, given.value)
         return claims
+
+
+def element_name(array: ArrayTemplate, by_task: bool) -> str:
+    """Give the name of an array's elements, which tells them apart: by index if the template does not say how."""
+    told = INDEX_TOKEN in array.name or (by_task and TASK_TOKEN in array.name)
+    return array.name if told else f"{array.name}{INDEX_TOKEN}"
+
+
+def _stands_for_tasks(array: ArrayTemplate) -> bool:
+    return TASK_TOKEN in array.name or _mentions_task(array.items)
 
 
 def _mentions_task(items: Sequence[TemplateItem]) -> bool:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, Optional, Tuple
+from dataclasses import dataclass, field
+from typing import Dict, Mapping, Optional, Tuple
 
-__all__ = ["ParameterContext", "Path", "Place"]
+from rqt_mrta_py.config.substitution import INDEX_TOKEN, PACKAGE_TOKEN, SIZE_TOKEN, substitute
+from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN
+
+__all__ = ["ArraySize", "ParameterContext", "Path", "Place"]
 
 Path = Tuple[str, ...]
 """Names from the top of a robot's parameters down to one value."""
@@ -31,6 +34,27 @@ class ParameterContext:
     template_source: str
     values_source: str
 
+    @property
+    def tokens(self) -> Dict[str, str]:
+        """What tokens stand for, wherever they are."""
+        tokens = {PACKAGE_TOKEN: self.package}
+        return {**tokens, ROBOT_TOKEN: self.robot_id} if self.robot_id else tokens
+
+
+@dataclass
+class ArraySize:
+    """The elements that the arrays of a group have.
+
+    Attributes:
+        size: their number.
+        tasks: what an element stands for, by index.
+        by_task: True if elements stand for tasks.
+    """
+
+    size: int
+    tasks: Dict[int, str] = field(default_factory=dict)
+    by_task: bool = False
+
 
 @dataclass(frozen=True)
 class Place:
@@ -38,21 +62,49 @@ class Place:
 
     Attributes:
         path: real names from the top.
-        pattern: the same, with ``@index@`` for the index of an element.
+        pattern: the same, with tokens for what differs from element to element.
         index: of the innermost element; None outside arrays.
+        size: number of elements of the innermost array, also beside it; None outside arrays.
         task: of the innermost element that stands for a task; None if there is none.
         in_task_array: True within an array whose elements stand for tasks.
+        fixed: what tokens stand for throughout.
     """
 
     path: Path
     pattern: Path
     index: Optional[int] = None
+    size: Optional[int] = None
     task: Optional[str] = None
     in_task_array: bool = False
+    fixed: Mapping[str, str] = field(default_factory=dict)
 
-    def inner(self, name: str, **changes: Any) -> Place:
-        """Give the place of an item in here, with ``index``, ``task`` or ``in_task_array`` changed."""
-        index, task = changes.get("index", self.index), changes.get("task", self.task)
-        in_task_array = changes.get("in_task_array", self.in_task_array)
-        real = name if index is None else name.replace("@index@", str(index))
-        return Place((*self.path, *real.split("/")), (*self.pattern, *name.split("/")), index, task, in_task_array)
+    @property
+    def tokens(self) -> Dict[str, str]:
+        """What tokens stand for here."""
+        values = {INDEX_TOKEN: self.index, SIZE_TOKEN: self.size, TASK_TOKEN: self.task}
+        return {**self.fixed, **{token: str(value) for token, value in values.items() if value is not None}}
+
+    def beside(self, array: ArraySize) -> Place:
+        """Give this place, of the group that holds an array."""
+        return self._moved(self.index, array.size, self.task, self.in_task_array)
+
+    def element(self, name: str, index: int, array: ArraySize) -> Place:
+        """Give the place of one element of an array that this group holds."""
+        in_task_array = self.in_task_array or array.by_task
+        return self._moved(index, array.size, array.tasks.get(index, self.task), in_task_array).inner(name)
+
+    def inner(self, name: str) -> Place:
+        """Give the place of an item in here."""
+        real, pattern = (substitute(name, self.tokens), substitute(name, self.fixed)) if "@" in name else (name, name)
+        return Place(
+            (*self.path, *real.split("/")),
+            (*self.pattern, *pattern.split("/")),
+            self.index,
+            self.size,
+            self.task,
+            self.in_task_array,
+            self.fixed,
+        )
+
+    def _moved(self, index: Optional[int], size: int, task: Optional[str], in_task_array: bool) -> Place:
+        return Place(self.path, self.pattern, index, size, task, in_task_array, self.fixed)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Set, Tuple, Union
+from typing import Any, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple, Union
 
 from rqt_mrta_py.config.parameters.context import Path, Place
+from rqt_mrta_py.config.substitution import substitute
 from rqt_mrta_py.config.yaml.text import YamlNode, parse_yaml
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ArrayTemplate, MapTemplate, ParameterTemplate, TemplateItem, normalise_id
@@ -41,14 +42,18 @@ class GivenValues:
 
     Args:
         layers: later ones cover earlier ones.
+        tokens: what tokens in paths stand for.
     """
 
-    def __init__(self, layers: Sequence[Layer]) -> None:
+    def __init__(self, layers: Sequence[Layer], tokens: Mapping[str, str]) -> None:
         self._values: Layer = {}
         self._ranks: Dict[Path, int] = {}
         for rank, layer in enumerate(layers):
-            self._values.update(layer)
-            self._ranks.update(dict.fromkeys(layer, rank))
+            for path, given in layer.items():
+                name = "/".join(path)
+                real = tuple(substitute(name, tokens).split("/")) if "@" in name else path
+                self._values[real] = given
+                self._ranks[real] = rank
         self._used: Set[Path] = set()
 
     @property

@@ -6,13 +6,13 @@ import re
 from dataclasses import dataclass
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Set, Tuple
 
-from rqt_mrta_py.config.parameters.array_sizes import ArraySize, ArraySizer
-from rqt_mrta_py.config.parameters.context import ParameterContext, Path, Place
+from rqt_mrta_py.config.parameters.array_sizes import ArraySizer, element_name
+from rqt_mrta_py.config.parameters.context import ArraySize, ParameterContext, Path, Place
 from rqt_mrta_py.config.parameters.layers import Given, GivenValues, Layer
 from rqt_mrta_py.config.parameters.values import WANTED, Scalar, check_value, parse_text
+from rqt_mrta_py.config.substitution import INDEX_TOKEN, substitute
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import (
-    ROBOT_TOKEN,
     TASK_TOKEN,
     ArrayTemplate,
     ConfigTemplate,
@@ -58,8 +58,8 @@ def resolve_parameters(
     Raises:
         ConfigError: with every unknown path, wrong type, and mandatory parameter without a value.
     """
-    resolver = _Resolver(GivenValues(layers), context)
-    values = resolver.items(template.items, Place((), ()))
+    resolver = _Resolver(GivenValues(layers, context.tokens), context)
+    values = resolver.items(template.items, Place((), (), fixed=context.tokens))
     resolver.check_unknown()
     if resolver.problems:
         raise ConfigError(resolver.problems)
@@ -102,6 +102,8 @@ class _Resolver:
     def items(self, items: Sequence[TemplateItem], place: Place) -> Dict[str, Any]:
         self._groups.add(place.path)
         array = self._sizer.of(items, place)
+        if array is not None:
+            place = place.beside(array)
         values: Dict[str, Any] = {}
         for item in items:
             if isinstance(item, ParameterTemplate):
@@ -123,16 +125,21 @@ class _Resolver:
             self._problem(path, given, self._why_unknown(path))
 
     def _elements(self, item: ArrayTemplate, array: ArraySize, place: Place, values: Dict[str, Any]) -> None:
-        name = item.name if "@index@" in item.name else f"{item.name}@index@"
-        pattern = re.compile(re.escape(name).replace(re.escape("@index@"), "([0-9]{1,9})") + r"\Z")
-        self._arrays.append((place.path, pattern, array.size))
-        by_task = place.in_task_array or array.by_task
+        name = element_name(item, array.by_task)
+        if INDEX_TOKEN in name:
+            known = re.escape(substitute(name, place.fixed))
+            pattern = re.compile(known.replace(re.escape(INDEX_TOKEN), "([0-9]{1,9})") + r"\Z")
+            self._arrays.append((place.path, pattern, array.size))
         for index in range(array.size):
             if len(self.sources) > _MOST_VALUES:
                 where = Given(None, True, self._context.values_source, 0)
                 self._problem(place.path, where, f"make more than {_MOST_VALUES} parameters; give smaller sizes")
                 return
-            inner = place.inner(name, index=index, task=array.tasks.get(index, place.task), in_task_array=by_task)
+            inner = place.element(name, index, array)
+            if TASK_TOKEN in name and array.by_task and inner.task is None:
+                where = Given(None, True, self._context.template_source, item.line)
+                self._problem((*place.path, name), where, self._no_task(name))
+                continue
             _set(values, inner.path[len(place.path) :], self.items(item.items, inner))
 
     def _parameter(self, item: ParameterTemplate, place: Place, size: Optional[int]) -> Optional[Scalar]:
@@ -156,17 +163,13 @@ class _Resolver:
             return None
 
     def _substitute(self, text: str, place: Place) -> str:
-        tokens = {ROBOT_TOKEN: self._context.robot_id, "@package@": self._context.package}
-        if place.index is not None:
-            tokens["@index@"] = str(place.index)
-        if TASK_TOKEN in text:
-            if place.task is None:
-                have = ", ".join(self._context.tasks) or "none"
-                raise ValueError(f"stands for a task ({text}), but no task is left for it; the robot's tasks: {have}")
-            tokens[TASK_TOKEN] = place.task
-        for token, value in tokens.items():
-            text = text.replace(token, value)
-        return text
+        if TASK_TOKEN in text and place.in_task_array and place.task is None:
+            raise ValueError(self._no_task(text))
+        return substitute(text, place.tokens)
+
+    def _no_task(self, text: str) -> str:
+        have = ", ".join(self._context.tasks) or "none"
+        return f"stands for a task ({text}), but no task is left for it; the robot's tasks: {have}"
 
     def _why_unknown(self, path: Path) -> str:
         known = [tuple(name.split("/")) for name in self.sources]

@@ -9,11 +9,10 @@ from typing import Any, Union
 from rqt_mrta_py.model import ParameterType
 from rqt_mrta_py.wording import shown
 
-__all__ = ["WANTED", "Scalar", "check_value", "has_token", "parse_text"]
+__all__ = ["WANTED", "Scalar", "check_value", "parse_text"]
 
 Scalar = Union[bool, int, float, str]
 
-_TOKEN = re.compile(r"@(robot_id|task_id|index|array_size|package)@")
 _INT = re.compile(r"[+-]?[0-9]{1,18}\Z")
 WANTED = {
     ParameterType.BOOL: "true or false",
@@ -22,11 +21,6 @@ WANTED = {
     ParameterType.STRING: "a text",
 }
 """What a type accepts, in words."""
-
-
-def has_token(text: str) -> bool:
-    """Tell whether a text holds a token that is substituted later, so that its type cannot be judged yet."""
-    return _TOKEN.search(text) is not None
 
 
 def parse_text(text: str, kind: ParameterType) -> Scalar:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Dict, List, Optional, Sequence, Tuple
 
-from rqt_mrta_py.config.parameters.values import has_token, parse_text
+from rqt_mrta_py.config.parameters.values import parse_text
+from rqt_mrta_py.config.substitution import has_token
 from rqt_mrta_py.config.xml.element import Element, Text
 from rqt_mrta_py.config.xml.ids import read_id
 from rqt_mrta_py.model import (
