@@ -56,7 +56,7 @@ def parse_xml(text: Union[str, bytes], path: str) -> etree._Element:
         message = f"declares the entity {error.name!r}; entities are not accepted"
         raise ConfigError([Problem(path, error.line, "", message)]) from error
     except (etree.XMLSyntaxError, LookupError, ValueError) as error:
-        reason = _POSITION.sub("", str(error)) or "it is empty"
+        reason = " ".join(_POSITION.sub("", str(error)).split()) or "it is empty"
         line = getattr(error, "lineno", None) or 1
         raise ConfigError([Problem(path, line, "", f"is not well-formed XML: {reason}")]) from error
     return root
