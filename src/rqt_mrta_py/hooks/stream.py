@@ -8,7 +8,7 @@ answer what to say (``Outgoing``). Stamps in the stream are integer nanoseconds,
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Callable, Dict, Mapping, NamedTuple, Protocol, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, NamedTuple, Protocol, Sequence, Tuple, Union
 
 if TYPE_CHECKING:
     import numpy as np
@@ -192,6 +192,23 @@ class Codec(Protocol):
 
         Raises:
             TransportError: unknown type, unknown field, or a value that does not fit; names the path.
+        """
+        ...
+
+    def encode_columns(self, type_name: str, columns: Mapping[str, Column], count: int) -> List[bytes]:
+        """Serialise messages of one type, column by column.
+
+        Args:
+            type_name: ``pkg/Msg``.
+            columns: as in TeamOutgoing.
+            count: of messages.
+
+        Returns:
+            The messages in the order of rows, each as ``encode`` writes its fields.
+
+        Raises:
+            TransportError: unknown type, unknown field, a column of another number of rows, or a value that does not
+                fit; names the path.
         """
         ...
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple
+from functools import partial
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
-from rqt_mrta_py.hooks import Connection, FieldReader
+from rqt_mrta_py.hooks import Column, Connection, FieldReader
+from rqt_mrta_py.transport.codec.columns import ColumnEncoder
 from rqt_mrta_py.transport.codec.definitions import Definition, parse_definition
 from rqt_mrta_py.transport.codec.forms import FormedEncoder
 from rqt_mrta_py.transport.codec.reading import compile_decoder, compile_reader
@@ -31,6 +33,7 @@ class RosCodec:
         self._readers: Dict[Tuple[_Key, Tuple[str, ...]], FieldReader] = {}
         self._decoders: Dict[_Key, Callable[[bytes], Dict[str, Any]]] = {}
         self._encoders: Dict[str, FormedEncoder] = {}
+        self._column_encoders: Dict[str, ColumnEncoder] = {}
 
     def connection(self, topic: str, type_name: str, caller: str = "", latched: bool = False) -> Connection:
         """Describe a publisher's way onto a topic; see ``hooks.Codec``."""
@@ -54,6 +57,14 @@ class RosCodec:
         if encoder is None:
             encoder = self._encoders[type_name] = FormedEncoder(self._library.definition(type_name))
         return encoder.write(fields)
+
+    def encode_columns(self, type_name: str, columns: Mapping[str, Column], count: int) -> List[bytes]:
+        """Serialise messages column by column; see ``hooks.Codec``."""
+        encoder = self._column_encoders.get(type_name)
+        if encoder is None:
+            definition = self._library.definition(type_name)
+            encoder = self._column_encoders[type_name] = ColumnEncoder(definition, partial(self.encode, type_name))
+        return encoder.write(columns, count)
 
     def decode(self, connection: Connection, raw: bytes) -> Dict[str, Any]:
         """Turn a whole message into nested builtins; see ``hooks.Codec``."""
