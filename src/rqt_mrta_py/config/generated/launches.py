@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Dict, Iterator, List, Mapping, Tuple
+from typing import Dict, Iterator, List, Tuple
 
 from rqt_mrta_py.config.generated.launch_text import Include, launch_text
 from rqt_mrta_py.config.parameters.team import Team, config_name, file_name
+from rqt_mrta_py.config.substitution import PACKAGE_TOKEN, substitute
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ROBOT_TOKEN, IncludeSpec, LaunchTemplate
 
@@ -83,11 +84,9 @@ def _include(team: Team, launch: LaunchTemplate, include: IncludeSpec, robot: st
 
 def _filled_in(team: Team, text: str, robot: str) -> str:
     """Put robot and package into a text; names of a robot's files stay free of folders."""
-    tokens: Mapping[str, str] = {"@package@": team.application.package}
+    values = {PACKAGE_TOKEN: team.application.package}
     if robot:
+        values[ROBOT_TOKEN] = robot
         for config in team.architecture.configs:
             text = text.replace(f"{ROBOT_TOKEN}_{config.id}.", f"{config_name(robot, config.id)}.")
-        tokens = {**tokens, ROBOT_TOKEN: robot}
-    for token, value in tokens.items():
-        text = text.replace(token, value)
-    return text
+    return substitute(text, values)
