@@ -87,6 +87,25 @@ def test_manifest_of_the_host_itself_needs_no_dependency(manifest: Callable[...,
     assert exported(manifest(TAG, "", name="rqt_mrta")) == [(RegistrationKind.ARCHITECTURE, "a.xml")]
 
 
+def test_manifest_of_a_metapackage_registers_nothing_and_says_so(manifest: Callable[..., Manifest]) -> None:
+    found = manifest(f"<metapackage/>{TAG}")
+
+    assert (found.metapackage, found.registrations) == (True, ())
+    assert messages(found) == [
+        "5: export/rqt_mrta: counts for nothing in a metapackage; export it from a package of its own"
+    ]
+
+
+def test_manifest_of_rosbuild_has_the_name_of_its_folder(write: Write) -> None:
+    write("old/a.xml", "<rqt_mrta/>")
+    path = write("old/manifest.xml", f'<package><depend package="rqt_mrta"/><export>{TAG}</export></package>')
+
+    found = read_manifest(path)
+
+    assert (found.name, found.problems) == ("old", ())
+    assert exported(found) == [(RegistrationKind.ARCHITECTURE, "a.xml")]
+
+
 def test_manifest_may_depend_and_not_export(manifest: Callable[..., Manifest]) -> None:
     found = manifest('<nodelet plugin="${prefix}/n.xml"/>')
 
