@@ -13,7 +13,7 @@ from rqt_mrta_py.hooks import Body, Contact
 from rqt_mrta_py.model import Arena, Obstacle, Pose, Twist
 from rqt_mrta_py.sim.bullet import BulletWorld
 from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
-from tests.sim.worlds import TICK, run, setup
+from tests.sim.worlds import TICK, crowd_setup, run, setup
 
 WIDE = Arena(-3.0, -3.0, 5.0, 3.0)
 
@@ -32,6 +32,29 @@ def test_robot_drives_alike_whatever_the_control_rate(world, control_rate):
     for _ in range(control_rate):
         world.step()
     assert world.poses()[0, 0] == pytest.approx(0.38, abs=0.01)
+
+
+def test_poses_do_not_depend_on_how_often_they_are_asked_for(world):
+    """They are read from the engine when somebody asks, which must leave it as it was."""
+
+    def drive(asked_every):
+        world.reset(crowd_setup())
+        for tick in range(60):
+            for index in range(5):
+                world.command(f"r{index}", "base", Twist(0.4, 0.0, math.sin(0.1 * tick + index)))
+            world.step()
+            if tick % asked_every == 0:
+                world.poses()
+        return world.poses()
+
+    np.testing.assert_array_equal(drive(1), drive(60))
+
+
+def test_world_that_is_closed_tells_no_poses(world):
+    world.reset(setup(Pose(1.0, 0.0)))
+    world.close()
+    with pytest.raises(SimError, match=r"^world bullet: not built yet or closed; call reset first$"):
+        world.poses()
 
 
 def test_tick_that_is_no_time_is_refused_showing_it(world):

@@ -16,6 +16,8 @@ _Floats = NDArray[np.float64]
 _Integers = NDArray[np.int64]
 _AT_ONCE = 1_000_000
 """Pairs of a ray and a thing looked at together, which bounds the memory."""
+_HAIR = 1e-6
+"""How much shorter than a tangent may be what rounding makes of it [m]."""
 
 
 class Rays(NamedTuple):
@@ -43,12 +45,21 @@ class Boxes(NamedTuple):
         centre: [m], shape (boxes, 3).
         axes: unit vectors along its sides, one a row; shape (boxes, 3, 3).
         half_size: [m], shape (boxes, 3).
+        reach: from the centre to a corner [m], shape (boxes,).
     """
 
     owner: _Integers
     centre: _Floats
     axes: _Floats
     half_size: _Floats
+    reach: _Floats
+
+    @classmethod
+    def of(cls, owner: _Integers, half_size: _Floats) -> Boxes:
+        """Make boxes that are still to be placed."""
+        number = len(owner)
+        reach = np.sqrt(np.einsum("ni,ni->n", half_size, half_size))
+        return cls(owner, np.zeros((number, 3)), np.zeros((number, 3, 3)), half_size, reach)
 
 
 class Balls(NamedTuple):
@@ -118,10 +129,9 @@ def _cut_pillars(rays: Rays, pillars: Pillars) -> _Discs:
 
 def _see_boxes(rays: Rays, boxes: Boxes, nearest: _Floats) -> None:
     """Cut rays with the three pairs of parallel planes of each box that they may meet; lower what is nearest."""
-    reach = np.sqrt(np.einsum("ni,ni->n", boxes.half_size, boxes.half_size))
-    level = np.abs(boxes.centre[:, 2] - rays.origin[:, 2, None]) <= reach
-    robot, box = _near(rays, boxes.owner, boxes.centre, reach, level)
-    pair, ray, _, _ = _towards(rays, robot, boxes.centre[box], reach[box])
+    level = np.abs(boxes.centre[:, 2] - rays.origin[:, 2, None]) <= boxes.reach
+    robot, box = _near(rays, boxes.owner, boxes.centre, boxes.reach, level)
+    pair, ray = _facing(rays, robot, boxes.centre[box], boxes.reach[box])
     robot, box = robot[pair], box[pair]
     axes, half = boxes.axes[box], boxes.half_size[box]
     start = np.einsum("nij,nj->ni", axes, rays.origin[robot] - boxes.centre[box])
@@ -156,6 +166,22 @@ def _near(
     near = x * x + y * y <= (rays.max_range + reach) ** 2
     robot, thing = np.nonzero(near & level & (rays.owner[:, None] != owner))
     return robot, thing
+
+
+def _facing(rays: Rays, robot: _Integers, centre: _Floats, reach: _Floats) -> Tuple[_Integers, _Integers]:
+    """Find the rays within the tangents to the circle around what robots are paired with, and a hair beside them.
+
+    Returns:
+        Which pair, which of its robot's rays.
+    """
+    x = centre[:, 0] - rays.origin[robot, 0]
+    y = centre[:, 1] - rays.origin[robot, 1]
+    beyond = x * x + y * y - reach * reach
+    # The length of a tangent; who stands within the circle has none.
+    tangent = np.where(beyond > 0.0, np.sqrt(np.maximum(beyond, 0.0)) - _HAIR, -np.inf)
+    along = x[:, None] * rays.cos[robot] + y[:, None] * rays.sin[robot]
+    pair, ray = np.nonzero(along >= tangent[:, None])
+    return pair, ray
 
 
 def _towards(

@@ -16,6 +16,8 @@ __all__ = ["Sight"]
 _Floats = NDArray[np.float64]
 _NOBODY = -1
 _BALLS_EACH = 4
+_ROUNDING = 1e-9
+"""Of heights [m]."""
 
 
 class Sight:
@@ -31,15 +33,18 @@ class Sight:
 
     def __init__(self, arena: Arena, obstacles: Sequence[Obstacle], robots: Sequence[RobotShape]) -> None:
         self._arena = arena
-        self._blocks = _blocks([obstacle for obstacle in obstacles if obstacle.shape == "box"])
+        blocks = [obstacle for obstacle in obstacles if obstacle.shape == "box"]
         self._pillars = _pillars([obstacle for obstacle in obstacles if obstacle.shape == "cylinder"])
         self._numbers = np.arange(len(robots))
         self._box_centre = _vectors([robot.box_centre for robot in robots])
-        self._box_half_size = _vectors([robot.box_half_size for robot in robots])
+        half_size = _vectors([robot.box_half_size for robot in robots])
+        self._boxes = _joined(_blocks(blocks), Boxes.of(self._numbers, half_size))
+        self._robots_boxes = slice(len(blocks), None)
         balls = [ball for robot in robots for ball in (*robot.wheels, *robot.casters)]
         self._ball_owner = np.repeat(self._numbers, _BALLS_EACH)
         self._ball_centre = _vectors([ball.centre for ball in balls])
         self._ball_radius = np.array([ball.radius for ball in balls], dtype=np.float64)
+        self._no_balls = Balls(self._ball_owner[:0], self._ball_centre[:0], self._ball_radius[:0])
 
     def measure(self, rays: Rays, robots: _Floats, bodies: _Floats, body_half_size: _Floats) -> _Floats:
         """Measure true distances.
@@ -55,26 +60,29 @@ class Sight:
             seen.
         """
         axes = _axes(robots[:, 3:])
-        kinds = [
-            self._blocks,
-            Boxes(self._numbers, _placed(robots, axes, self._box_centre), axes, self._box_half_size),
-        ]
+        boxes = self._boxes
+        boxes.centre[self._robots_boxes] = _placed(robots, axes, self._box_centre)
+        boxes.axes[self._robots_boxes] = axes
         if len(bodies):
-            nobody = np.full(len(bodies), _NOBODY, dtype=np.int64)
-            kinds.append(Boxes(nobody, bodies[:, :3], _axes(bodies[:, 3:]), body_half_size))
-        boxes = Boxes(*(np.concatenate(parts) for parts in zip(*kinds)))
+            loose = Boxes.of(np.full(len(bodies), _NOBODY, dtype=np.int64), body_half_size)
+            loose.centre[:] = bodies[:, :3]
+            loose.axes[:] = _axes(bodies[:, 3:])
+            boxes = _joined(boxes, loose)
         seen = cast_rays(rays, boxes, self._balls(robots, axes, rays.origin[:, 2]), self._pillars)
         seen = np.minimum(seen, self._walls(rays))
         seen[seen > rays.max_range] = np.inf
         return seen
 
     def _balls(self, robots: _Floats, axes: _Floats, heights: _Floats) -> Balls:
-        """Place those wheels and casters that are at the height of any ray."""
-        each = np.repeat(robots, _BALLS_EACH, axis=0)
-        centre = _placed(each, np.repeat(axes, _BALLS_EACH, axis=0), self._ball_centre)
-        low, high = centre[:, 2] - self._ball_radius, centre[:, 2] + self._ball_radius
-        met = (low <= heights.max(initial=-np.inf)) & (high >= heights.min(initial=np.inf))
-        return Balls(self._ball_owner[met], centre[met], self._ball_radius[met])
+        """Place those wheels and casters that may be at the height of any ray; that is seldom one."""
+        owner = self._ball_owner
+        rise = robots[owner, 2] + (axes[:, :, 2][owner] * self._ball_centre).sum(axis=1)
+        reach = self._ball_radius + _ROUNDING
+        met = (rise - reach <= heights.max(initial=-np.inf)) & (rise + reach >= heights.min(initial=np.inf))
+        if not met.any():
+            return self._no_balls
+        owner = owner[met]
+        return Balls(owner, _placed(robots[owner], axes[owner], self._ball_centre[met]), self._ball_radius[met])
 
     def _walls(self, rays: Rays) -> _Floats:
         """Follow rays to the nearer of the two walls that they go towards."""
@@ -89,12 +97,14 @@ def _blocks(obstacles: Sequence[Obstacle]) -> Boxes:
     half_size = _vectors([obstacle.size for obstacle in obstacles]) / 2
     yaw = np.array([obstacle.pose.yaw for obstacle in obstacles], dtype=np.float64)
     level = np.zeros_like(yaw)
-    return Boxes(
-        np.full(len(obstacles), _NOBODY, dtype=np.int64),
-        _centres(obstacles),
-        _axes(np.stack((level, level, np.sin(yaw / 2), np.cos(yaw / 2)), axis=1)),
-        half_size,
-    )
+    blocks = Boxes.of(np.full(len(obstacles), _NOBODY, dtype=np.int64), half_size)
+    blocks.centre[:] = _centres(obstacles)
+    blocks.axes[:] = _axes(np.stack((level, level, np.sin(yaw / 2), np.cos(yaw / 2)), axis=1))
+    return blocks
+
+
+def _joined(some: Boxes, more: Boxes) -> Boxes:
+    return Boxes(*(np.concatenate(parts) for parts in zip(some, more)))
 
 
 def _pillars(obstacles: Sequence[Obstacle]) -> Pillars:

@@ -47,7 +47,9 @@ class BulletWorld:
         self._loose: Optional[LooseBodies] = None
         self._physics_steps = 0
         self._sight: Optional[Sight] = None
-        self._frames: List[Tuple[Tuple[float, ...], Tuple[float, ...]]] = []
+        self._sensor_heights: NDArray[np.float64] = np.empty(0)
+        self._has_moved = False
+        self._frames: NDArray[np.float64] = np.empty((0, 7))
         self._poses: NDArray[np.float64] = np.empty((0, 3))
 
     @property
@@ -78,10 +80,11 @@ class BulletWorld:
         self._names = build_surroundings(self._engine, setup.arena, setup.obstacles)
         self._robots = {robot.id: WheeledRobot(self._engine, robot) for robot in setup.robots}
         self._rows = {robot_id: row for row, robot_id in enumerate(self._robots)}
+        self._sensor_heights = np.array([robot.model.sensor_height for robot in setup.robots], dtype=np.float64)
         self._names.update({robot.body: robot_id for robot_id, robot in self._robots.items()})
         self._loose = LooseBodies(self._engine)
         self._sight = Sight(setup.arena, setup.obstacles, [robot.shape for robot in self._robots.values()])
-        self._read_poses()
+        self._has_moved = True
 
     def add_body(self, body: Body) -> None:
         """Put a loose body into the world.
@@ -142,10 +145,15 @@ class BulletWorld:
         engine = self._running
         for _ in range(self._physics_steps):
             engine.bullet.stepSimulation(physicsClientId=engine.client)
-        self._read_poses()
+        self._has_moved = True
 
     def poses(self) -> NDArray[np.float64]:
-        """Give x, y [m] and yaw [rad] of every robot in the frame ``map``: shape (robots, 3), in the setup's order."""
+        """Give x, y [m] and yaw [rad] of every robot in the frame ``map``: shape (robots, 3), in the setup's order.
+
+        Raises:
+            SimError: there is nothing built.
+        """
+        self._look()
         return self._poses.copy()
 
     def bodies(self) -> Mapping[str, BodyState]:
@@ -177,17 +185,18 @@ class BulletWorld:
         Raises:
             SimError: no such robot.
         """
-        wheeled = [self._robot(robot) for robot in robots]
+        self._look()
+        for unknown in (robot for robot in robots if robot not in self._rows):
+            self._robot(unknown)
         rows = np.array([self._rows[robot] for robot in robots], dtype=np.int64)
         origin = np.empty((len(rows), 3))
         origin[:, :2] = self._poses[rows, :2]
-        origin[:, 2] = [robot.model.sensor_height for robot in wheeled]
+        origin[:, 2] = self._sensor_heights[rows]
         angle = self._poses[rows, 2, None] + np.asarray(bearings, dtype=np.float64)
-        frames = np.array([(*position, *turn) for position, turn in self._frames], dtype=np.float64).reshape(-1, 7)
         loose = self._bodies
         return self._seen.measure(
             Rays(rows, origin, np.cos(angle), np.sin(angle), max_range),
-            frames,
+            self._frames,
             loose.frames(),
             loose.half_sizes(),
         )
@@ -221,15 +230,24 @@ class BulletWorld:
             raise SimError("world bullet: not built yet or closed; call reset first")
         return self._sight
 
-    def _read_poses(self) -> None:
+    def _look(self) -> None:
+        """Read where robots are, at most once a step; of many a step nobody asks."""
         engine = self._running
+        if not self._has_moved:
+            return
+        self._has_moved = False
         locate, client = engine.bullet.getBasePositionAndOrientation, engine.client
-        self._frames = [locate(robot.body, physicsClientId=client) for robot in self._robots.values()]
-        rows = [
-            (px, py, math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)))
-            for (px, py, _), (x, y, z, w) in self._frames
-        ]
-        self._poses = np.array(rows, dtype=np.float64).reshape(-1, 3)
+        numbers: List[float] = []
+        yaws: List[float] = []
+        for robot in self._robots.values():
+            position, (x, y, z, w) = locate(robot.body, client)
+            numbers += position
+            numbers += (x, y, z, w)
+            yaws.append(math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)))
+        self._frames = np.array(numbers, dtype=np.float64).reshape(-1, 7)
+        self._poses = np.empty((len(yaws), 3))
+        self._poses[:, :2] = self._frames[:, :2]
+        self._poses[:, 2] = yaws
 
 
 def _physics_steps(setup: WorldSetup) -> int:
