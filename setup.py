@@ -22,6 +22,8 @@ EXTRAS["all"] = [requirement for name in sorted(EXTRAS) for requirement in EXTRA
 EXTRAS["test"] = [
     "pytest>=8,<10",
     "hypothesis>=6.100,<7",
+    # An independent reader of the JSON Schemas that come with the package.
+    "jsonschema>=4.17,<5",
     "pytest-cov>=5,<8",
     # ruff's formatter may change its mind with every minor version, and its verdict is law here.
     "ruff>=0.17,<0.18",
@@ -94,7 +96,7 @@ setup(
     python_requires=">=3.8",
     package_dir={"": "src"},
     packages=find_packages("src"),
-    package_data={"rqt_mrta_py": ["py.typed"]},
+    package_data={"rqt_mrta_py": ["py.typed", "config/schema/*.rng", "config/schema/*.json"]},
     # Under catkin CMakeLists.txt installs these.
     data_files=[] if "CATKIN_BINARY_DIR" in os.environ else ros_files(),
     install_requires=[

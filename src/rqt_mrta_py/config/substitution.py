@@ -7,18 +7,22 @@ from typing import Mapping
 
 from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN
 
-__all__ = ["INDEX_TOKEN", "PACKAGE_TOKEN", "SIZE_TOKEN", "has_token", "substitute"]
+__all__ = ["INDEX_TOKEN", "PACKAGE_TOKEN", "SIZE_TOKEN", "TOKENS", "has_token", "substitute"]
 
 INDEX_TOKEN = "@index@"
-"""Stands for the index of an element, from 0."""
-
 SIZE_TOKEN = "@array_size@"
-"""Stands for the number of elements."""
-
 PACKAGE_TOKEN = "@package@"
-"""Stands for the name of the application's package."""
 
-_TOKEN = re.compile("|".join((ROBOT_TOKEN, TASK_TOKEN, INDEX_TOKEN, SIZE_TOKEN, PACKAGE_TOKEN)))
+TOKENS: Mapping[str, str] = {
+    ROBOT_TOKEN: "The robot's id, in what is copied for each robot.",
+    TASK_TOKEN: "Within an array, the id of the task that the element stands for.",
+    INDEX_TOKEN: "Within an array, the index of the element, from 0.",
+    SIZE_TOKEN: "Within an array and beside it, the number of its elements.",
+    PACKAGE_TOKEN: "The name of the application's package.",
+}
+"""What each token stands for."""
+
+_TOKEN = re.compile("|".join(TOKENS))
 
 
 def has_token(text: str) -> bool:

@@ -14,6 +14,7 @@ __all__ = ["WANTED", "Scalar", "check_value", "parse_text"]
 Scalar = Union[bool, int, float, str]
 
 _INT = re.compile(r"[+-]?[0-9]{1,18}\Z")
+_DOUBLE = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?\Z")
 WANTED = {
     ParameterType.BOOL: "true or false",
     ParameterType.INT: "a whole number",
@@ -39,12 +40,9 @@ def parse_text(text: str, kind: ParameterType) -> Scalar:
         return text.lower() == "true"
     if kind is ParameterType.INT and _INT.match(text):
         return int(text)
-    if kind is ParameterType.DOUBLE:
-        try:
-            value = float(text)
-        except ValueError:
-            value = math.nan
-        if math.isfinite(value) and "_" not in text:
+    if kind is ParameterType.DOUBLE and _DOUBLE.match(text):
+        value = float(text)
+        if math.isfinite(value):
             return value
     raise ValueError(f"must be {WANTED[kind]} (got {shown(text)})")
 

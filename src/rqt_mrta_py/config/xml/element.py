@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import math
 import re
 from typing import Dict, List, NamedTuple, Optional, Sequence, Union
 
 from lxml import etree
 
+from rqt_mrta_py.config.parameters.values import parse_text
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.xml.text import joined, line_of, parse_xml
+from rqt_mrta_py.model import ParameterType
 from rqt_mrta_py.wording import accepted, shown
 
 __all__ = ["Element", "Numbered", "Text", "open_document"]
@@ -158,10 +159,10 @@ class Element:
         if found is None:
             return default
         try:
-            value = float(found.value)
+            value = parse_text(found.value, ParameterType.DOUBLE)
         except ValueError:
-            value = math.nan
-        if not (0.0 < value < math.inf):
+            value = 0.0
+        if not (isinstance(value, float) and value > 0.0):
             self.problem(name, f"must be above 0 s (got {shown(found.value)}); give a positive number", found.line)
             return default
         return value
