@@ -70,7 +70,8 @@ def entries(registry: Registry, kind: RegistrationKind, wanted: Taxonomy) -> Lis
     Returns:
         Entries by package name, each with what is wrong with it.
     """
-    listed = [_entry(registry, registration) for registration in registry.of_kind(kind)]
+    taxonomies = _Taxonomies(registry)
+    listed = [_entry(taxonomies, registration) for registration in registry.of_kind(kind)]
     fitting = [entry for entry in listed if wanted.accepts(entry.taxonomy or Taxonomy())]
     return sorted(fitting, key=lambda entry: entry.registration.package)
 
@@ -105,7 +106,7 @@ def _description(registration: Registration) -> Dict[str, Any]:
     return {"name": registration.package, "module": registration.plugin, "folder": str(registration.folder)}
 
 
-def _entry(registry: Registry, registration: Registration) -> Entry:
+def _entry(taxonomies: _Taxonomies, registration: Registration) -> Entry:
     problems = registration.problems
     try:
         if registration.kind is RegistrationKind.ARCHITECTURE:
@@ -113,21 +114,35 @@ def _entry(registry: Registry, registration: Registration) -> Entry:
             return Entry(registration, architecture.name, architecture.taxonomy, problems=problems)
         if registration.kind is RegistrationKind.APPLICATION:
             application = application_of(registration)
-            taxonomy = _taxonomy(registry, application.architecture)
+            taxonomy = taxonomies.of(application.architecture)
             return Entry(registration, application.name, taxonomy, application.architecture, problems)
     except ConfigError as error:
         problems = (*problems, *error.problems)
     return Entry(registration, problems=tuple(sorted(set(problems))))
 
 
-def _taxonomy(registry: Registry, architecture: Optional[str]) -> Optional[Taxonomy]:
-    for registration in registry.of_kind(RegistrationKind.ARCHITECTURE):
-        if registration.package == architecture:
-            try:
-                return architecture_of(registration).taxonomy
-            except ConfigError:
-                return None
-    return None
+class _Taxonomies:
+    """Taxonomies of architectures by name, each file read once, however many applications name it."""
+
+    def __init__(self, registry: Registry) -> None:
+        self._registered: Dict[str, Registration] = {}
+        for registration in registry.of_kind(RegistrationKind.ARCHITECTURE):
+            self._registered.setdefault(registration.package, registration)
+        self._known: Dict[str, Optional[Taxonomy]] = {}
+
+    def of(self, architecture: Optional[str]) -> Optional[Taxonomy]:
+        """Give the taxonomy of an architecture; None if it is not registered or cannot be read."""
+        if architecture is None or architecture not in self._registered:
+            return None
+        if architecture not in self._known:
+            self._known[architecture] = self._read(architecture)
+        return self._known[architecture]
+
+    def _read(self, architecture: str) -> Optional[Taxonomy]:
+        try:
+            return architecture_of(self._registered[architecture]).taxonomy
+        except ConfigError:
+            return None
 
 
 def _content(registration: Registration) -> bytes:

@@ -2,28 +2,56 @@
 
 from __future__ import annotations
 
+from typing import Dict, Tuple, Type, TypeVar
+
 from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.model import AllocationType, RobotType, TaskType, Taxonomy
+from rqt_mrta_py.wording import accepted, shown
 
 __all__ = ["parse_filter"]
+
+_Axis = TypeVar("_Axis", RobotType, TaskType, AllocationType)
+
+_BLANK = ("", "*")
+_WANTED = "give robots-tasks-allocations, such as ST-SR-IA; any of them may be left blank or be *"
 
 
 def parse_filter(text: str) -> Taxonomy:
     """Read ``ST-SR-IA`` with any axis blank.
 
     Args:
-        text: three spellings joined by hyphens; empty for no filter.
+        text: three spellings joined by hyphens, as rqt_mrta.xml may hold them but in any case; blanks around them do
+            not count. An axis that is empty or ``*`` matches anything, and so does ``*`` or nothing in place of all.
 
     Raises:
-        UsageError: an axis is neither blank nor known.
+        UsageError: an axis is neither blank nor known; says what is accepted.
     """
-    wanted = Taxonomy.parse(text)
-    parts = text.split("-") if text else ["", "", ""]
-    axes = (wanted.robots, wanted.tasks, wanted.allocations)
-    unknown = [part for part, axis in zip(parts, axes) if part and axis.value == ""]
-    if len(parts) != len(axes) or unknown:
-        spellings = " or ".join(
-            "/".join(kind.value for kind in axis if kind.value) for axis in (RobotType, TaskType, AllocationType)
+    if text.strip() in _BLANK:
+        return Taxonomy()
+    # Time-Extended Assignment has a hyphen of its own.
+    parts = [part.strip() for part in text.split("-", 2)]
+    if len(parts) < 3:
+        raise UsageError(f"--type {shown(text)}: is not a taxonomy; {_WANTED}")
+    robots, tasks, allocations = parts
+    return Taxonomy(
+        _axis(text, "robots", robots, RobotType),
+        _axis(text, "tasks", tasks, TaskType),
+        _axis(text, "allocations", allocations, AllocationType),
+    )
+
+
+def _axis(text: str, name: str, part: str, kind: Type[_Axis]) -> _Axis:
+    if part in _BLANK:
+        return kind("")
+    known = _by_spelling(kind)
+    if part.casefold() not in known:
+        short = tuple(member.value for member in kind if member.value)
+        raise UsageError(
+            f"--type {shown(text)}: {shown(part)} is no type of {name}; {accepted(part, short)}; {_WANTED}"
         )
-        raise UsageError(f"--type {text}: is not a taxonomy; three of {spellings}, joined by hyphens, any left blank")
-    return wanted
+    return known[part.casefold()]
+
+
+def _by_spelling(kind: Type[_Axis]) -> Dict[str, _Axis]:
+    spellings: Tuple[str, ...] = kind.spellings()
+    return {spelling.casefold(): kind.parse(spelling) for spelling in spellings}

@@ -24,7 +24,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the verb takes."""
     parser.add_argument("kind", nargs="?", choices=_KINDS, help="only these; hooks: who implements each")
     parser.add_argument(
-        "--type", metavar="ST-SR-IA", default="", help="only what fits this taxonomy; blanks match any (--type=-SR-)"
+        "--type",
+        metavar="ST-SR-IA",
+        default="",
+        help="only what fits this taxonomy; an axis left blank or * matches any (--type=-SR-)",
     )
     parser.add_argument("--json", action="store_true", help="print as JSON")
 
@@ -116,7 +119,8 @@ def _plugin_name(entry: PluginEntry) -> str:
 
 def _about(entry: Entry) -> str:
     if entry.problems:
-        return "cannot be used, see the messages"
+        count = len(entry.problems)
+        return f"! cannot be used: {count} problem{'s' if count > 1 else ''}, told above"
     return f"{entry.title} ({entry.architecture})" if entry.architecture else entry.title
 
 
