@@ -53,8 +53,9 @@ class RosCodec:
 
     def encode(self, type_name: str, fields: Mapping[str, Any]) -> bytes:
         """Serialise a message; see ``hooks.Codec``."""
-        encoder = self._encoders.get(type_name)
-        if encoder is None:
+        try:
+            encoder = self._encoders[type_name]
+        except KeyError:
             encoder = self._encoders[type_name] = FormedEncoder(self._library.definition(type_name))
         return encoder.write(fields)
 

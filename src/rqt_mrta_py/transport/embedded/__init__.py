@@ -1,6 +1,6 @@
 """The bus of a simulated run, in one process and in mission time.
 
 * ``bus``: carries messages from publishers to inboxes, and asks the link; the place to begin
-* ``node``: what speaks and hears; ``inbox``: what is on its way to it
+* ``node``: what speaks and hears; ``publisher``: its way onto a topic; ``inbox``: what is on its way to it
 * ``wiring``: who hears what
 """

@@ -9,41 +9,25 @@ Nodes of one robot, and nodes of none, hear one another at once; between any oth
 
 from __future__ import annotations
 
-import struct
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
+from functools import partial
+from itertools import repeat
+from typing import Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Codec, Connection, Link, Stamped
+from rqt_mrta_py.hooks import Codec, Column, Connection, Link, Outgoing, Stamped
 from rqt_mrta_py.transport.codec.definitions import parse_definition
 from rqt_mrta_py.transport.embedded.inbox import Hearing, Inbox, Message
 from rqt_mrta_py.transport.embedded.node import Node
-from rqt_mrta_py.transport.embedded.wiring import Ear, Receiver, Topic, Wiring
+from rqt_mrta_py.transport.embedded.publisher import Publisher, encode_together
+from rqt_mrta_py.transport.embedded.wiring import Ear, Wiring
 
 __all__ = ["Bus"]
 
-_seq_word = struct.Struct("<I").pack
-"""A header's ``seq`` stands in the first four bytes of a message that begins with one."""
+_stamped = partial(tuple.__new__, Stamped)
+"""Makes a Stamped of a tuple of its values without a call of Python code."""
 
-_new_stamped = tuple.__new__
-"""Makes a Stamped of a tuple of its values, in half the time of the constructor of a NamedTuple."""
-
-
-class _Publisher:
-    """A node's way onto a topic, with the nodes at its other end."""
-
-    __slots__ = ("connection", "header", "last", "latched", "node", "receivers", "robot", "seq", "topic", "version")
-
-    def __init__(self, node: Node, topic: Topic, connection: Connection, header: str) -> None:
-        self.node = node
-        self.robot = node.robot
-        self.topic = topic
-        self.connection = connection
-        self.latched = connection.latched
-        self.header = header
-        self.seq = 0
-        self.version = -1
-        self.receivers: Tuple[Receiver, ...] = ()
-        self.last: Optional[Message] = None
+_MOST_CHOIRS = 64
+"""How many groups of nodes that publish together are remembered."""
 
 
 class Bus:
@@ -60,9 +44,10 @@ class Bus:
         self._nodes: Dict[str, Node] = {}
         self._taps: List[Callable[[Sequence[Stamped]], None]] = []
         self._wiring = Wiring(codec)
-        self._publishers: Dict[Tuple[str, str, str, bool], _Publisher] = {}
+        self._publishers: Dict[Tuple[str, str, str, bool], Publisher] = {}
         # Only those that keep a message for late subscribers, in the order in which they were made.
-        self._latched: Dict[str, List[_Publisher]] = {}
+        self._latched: Dict[str, List[Publisher]] = {}
+        self._choirs: Dict[Tuple[Tuple[Node, ...], str, str], Tuple[Publisher, ...]] = {}
         self._headers: Dict[str, str] = {}
         self._now = float("-inf")
         self._now_ns = 0
@@ -103,10 +88,15 @@ class Bus:
         """
         self.advance(now)
         hearers = self._nodes.values() if nodes is None else nodes
-        for node in [node for node in hearers if node.inbox.collect(now)]:
+        due: List[Node] = []
+        for node in hearers:
+            inbox = node.inbox
+            if (inbox.arrived or inbox.delayed or inbox.due) and inbox.collect(now):
+                due.append(node)
+        for node in due:
             node.hear()
 
-    def publisher(self, node: Node, topic: str, type_name: str, latched: bool) -> _Publisher:
+    def publisher(self, node: Node, topic: str, type_name: str, latched: bool) -> Publisher:
         """Give a node's way onto a topic; nodes call this.
 
         Args:
@@ -125,51 +115,86 @@ class Bus:
                 connection = self.codec.connection(topic, type_name, node.name, latched)
             except TransportError as error:
                 raise TransportError(f"{node.name} on {topic}: {error}") from error
-            publisher = _Publisher(node, self._wiring.topic(topic), connection, self._header(connection))
+            publisher = Publisher(node.robot, self._wiring.topic(topic), connection, self._header(connection))
             self._publishers[key] = publisher
             if latched:
                 self._latched.setdefault(topic, []).append(publisher)
         return publisher
 
-    def publish(self, publisher: _Publisher, fields: Mapping[str, Any], now: float) -> None:
-        """Carry a message of a node; nodes call this.
+    def publish_each(self, said: Iterable[Tuple[Node, Iterable[Outgoing]]], now: float) -> None:
+        """Carry what nodes say, in order; taps are told of it together.
 
         Args:
-            publisher: the node's way onto the topic.
-            fields: of the message.
+            said: who says what; it is run through as the messages are carried.
             now: the time [s].
 
         Raises:
-            TransportError: the message does not fit its type; names node, topic and path.
+            TransportError: a message does not fit its type, or its topic is no name that ROS accepts; names node,
+                topic and path. Taps are told of those before it.
             ValueError: the bus's time is later already.
         """
         if now != self._now:
             self.advance(now)
-        topic = publisher.topic
-        ordinal = next(topic.ordinals)
-        publisher.seq += 1
-        if publisher.version != topic.version:
-            publisher.receivers = self._wiring.receivers(topic, publisher.connection)
-            publisher.version = topic.version
-        receivers, taps = publisher.receivers, self._taps
-        if not (receivers or taps or publisher.latched):
+        codec, tapped = self.codec, bool(self._taps)
+        connections: List[Connection] = []
+        raws: List[bytes] = []
+        try:
+            for node, messages in said:
+                publishers = node.publishers
+                for topic_name, type_name, fields, latched in messages:
+                    publisher = publishers.get((topic_name, type_name, latched))
+                    if publisher is None:
+                        publisher = node.publisher(topic_name, type_name, latched)
+                    topic = publisher.topic
+                    ordinal = next(topic.ordinals)
+                    publisher.seq += 1
+                    if publisher.version != topic.version:
+                        self._rewire(publisher)
+                    heard = latched or publisher.receivers
+                    if heard or tapped:
+                        raw = publisher.encode(codec, fields)
+                        connections.append(publisher.connection)
+                        raws.append(raw)
+                        if heard:
+                            self._hand_out(publisher, ordinal, raw)
+        finally:
+            self._tell(connections, raws)
+
+    def publish_together(
+        self, nodes: Sequence[Node], topic: str, type_name: str, columns: Mapping[str, Column], now: float
+    ) -> None:
+        """Carry one message of each of several nodes, given column by column; taps are told of them together.
+
+        Args:
+            nodes: who publishes, in the order of the columns' rows, each once.
+            topic: is resolved in each node's namespace and remapped.
+            type_name: ``pkg/Msg``.
+            columns: as in TeamOutgoing.
+            now: the time [s].
+
+        Raises:
+            TransportError: a message does not fit its type, or the topic is no name that ROS accepts; names node,
+                topic and path. None of the messages is carried then.
+            ValueError: the bus's time is later already.
+        """
+        if now != self._now:
+            self.advance(now)
+        publishers = self._publishers_of(nodes, topic, type_name)
+        ordinals: List[int] = []
+        heard = False
+        for publisher in publishers:
+            ordinals.append(next(publisher.topic.ordinals))
+            publisher.seq += 1
+            if publisher.version != publisher.topic.version:
+                self._rewire(publisher)
+            heard = heard or bool(publisher.receivers)
+        if not (heard or self._taps):
             return
-        raw = self._encode(publisher, fields)
-        connection = publisher.connection
-        if taps:
-            batch = (_new_stamped(Stamped, (connection, self._now_ns, raw)),)
-            for tap in taps:
-                tap(batch)
-        if receivers or publisher.latched:
-            message = Message(connection, ordinal, raw)
-            if publisher.latched:
-                publisher.last = message
-            sender = publisher.robot
-            for robot, inbox, hearings in receivers:
-                if robot == sender:
-                    inbox.arrived.append((now, message, hearings))
-                else:
-                    self._send(sender, robot, inbox, message, hearings)
+        raws = encode_together(self.codec, publishers, columns) if publishers else []
+        self._tell([publisher.connection for publisher in publishers], raws)
+        if heard:
+            for publisher, ordinal, raw in zip(publishers, ordinals, raws):
+                self._hand_out(publisher, ordinal, raw)
 
     def subscribe(self, ear: Ear) -> None:
         """Let a new subscription hear; latched messages set out for it. Nodes call this."""
@@ -178,7 +203,7 @@ class Bus:
                 if publisher.last is not None:
                     hearing = self._wiring.hearing(ear, tokens, publisher.connection)
                     if hearing is not None:
-                        self._send(publisher.node.robot, ear.robot, ear.inbox, publisher.last, (hearing,))
+                        self._send(publisher.robot, ear.robot, ear.inbox, publisher.last, (hearing,))
 
     def advance(self, now: float) -> None:
         """Take note of the time; nodes call this.
@@ -193,6 +218,40 @@ class Bus:
             raise ValueError(f"the bus's time never goes back: it is {self._now} s, told was {now} s")
         self._now = now
         self._now_ns = round(now * 1e9)
+
+    def _publishers_of(self, nodes: Sequence[Node], topic: str, type_name: str) -> Tuple[Publisher, ...]:
+        key = (tuple(nodes), topic, type_name)
+        publishers = self._choirs.get(key)
+        if publishers is None:
+            if len(self._choirs) >= _MOST_CHOIRS:
+                self._choirs.clear()
+            publishers = self._choirs[key] = tuple(node.publisher(topic, type_name, False) for node in nodes)
+        return publishers
+
+    def _rewire(self, publisher: Publisher) -> None:
+        """Find out anew who hears a publisher."""
+        publisher.receivers = self._wiring.receivers(publisher.topic, publisher.connection)
+        publisher.version = publisher.topic.version
+
+    def _tell(self, connections: Sequence[Connection], raws: Sequence[bytes]) -> None:
+        """Tell taps what was published at this moment."""
+        if self._taps and raws:
+            batch = list(map(_stamped, zip(connections, repeat(self._now_ns), raws)))
+            for tap in self._taps:
+                tap(batch)
+
+    def _hand_out(self, publisher: Publisher, ordinal: int, raw: bytes) -> None:
+        """Send a message to all who hear it."""
+        connection = publisher.connection
+        message: Message = (connection.topic, connection.type, connection.caller, ordinal, raw, {})
+        if connection.latched:
+            publisher.last = message
+        now, sender = self._now, publisher.robot
+        for robot, inbox, hearings in publisher.receivers:
+            if robot == sender:
+                inbox.arrived.append((now, message, hearings))
+            else:
+                self._send(sender, robot, inbox, message, hearings)
 
     def _send(self, sender: str, robot: str, inbox: Inbox, message: Message, hearings: Tuple[Hearing, ...]) -> None:
         now = self._now
@@ -213,14 +272,3 @@ class Bus:
             name = definition.root.fields[0].name if definition.begins_with_header else ""
             self._headers[connection.type] = name
         return name
-
-    def _encode(self, publisher: _Publisher, fields: Mapping[str, Any]) -> bytes:
-        try:
-            raw = self.codec.encode(publisher.connection.type, fields)
-        except TransportError as error:
-            raise TransportError(f"{publisher.node.name} on {publisher.connection.topic}: {error}") from error
-        if publisher.header:
-            header = fields.get(publisher.header)
-            if header is None or "seq" not in header:
-                return _seq_word(publisher.seq) + raw[4:]
-        return raw

@@ -5,32 +5,11 @@ from __future__ import annotations
 import heapq
 from collections import deque
 from operator import itemgetter
-from typing import Any, Callable, Deque, List, Mapping, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Deque, Dict, List, Mapping, NamedTuple, Optional, Tuple
 
-from rqt_mrta_py.hooks import Connection, FieldReader, Heard
+from rqt_mrta_py.hooks import FieldReader, Heard
 
 __all__ = ["Delivery", "Hearing", "Inbox", "Message"]
-
-
-class Message:
-    """One message under way; its fields are read once for each set of paths, whoever hears them."""
-
-    __slots__ = ("_read", "connection", "ordinal", "raw")
-
-    def __init__(self, connection: Connection, ordinal: int, raw: bytes) -> None:
-        self.connection = connection
-        self.ordinal = ordinal
-        self.raw = raw
-        self._read: Tuple[Tuple[Tuple[str, ...], Mapping[str, Any]], ...] = ()
-
-    def fields(self, paths: Tuple[str, ...], reader: FieldReader) -> Mapping[str, Any]:
-        """Give value by path; everybody who asks for the same paths is handed the same mapping."""
-        for known, fields in self._read:
-            if known == paths:
-                return fields
-        fields = dict(zip(paths, reader(self.raw)))
-        self._read = (*self._read, (paths, fields))
-        return fields
 
 
 class Hearing(NamedTuple):
@@ -43,6 +22,12 @@ class Hearing(NamedTuple):
     reader: Optional[FieldReader]
 
 
+Message = Tuple[str, str, str, int, bytes, Dict[Tuple[str, ...], Mapping[str, Any]]]
+"""A message under way: topic, type, caller, ordinal, bytes, and what has been read of them, by paths, whoever hears it.
+
+A plain tuple, for there are tens of thousands a second.
+"""
+
 Delivery = Tuple[float, Message, Tuple[Hearing, ...]]
 """When a message arrives [s], the message, and the subscriptions of the node that mean it."""
 
@@ -54,20 +39,21 @@ class Inbox:
 
     Attributes:
         arrived: in the order of sending, which is that of their arrival; the bus appends to it.
+        delayed: by arrival, then in the order of sending, as ``heapq`` has it.
         due: what the node hears next, in order; it takes them from the left.
     """
 
-    __slots__ = ("_delayed", "_sent", "arrived", "due")
+    __slots__ = ("_sent", "arrived", "delayed", "due")
 
     def __init__(self) -> None:
         self.arrived: Deque[Delivery] = deque()
         self.due: Deque[Delivery] = deque()
-        self._delayed: List[Tuple[float, int, Delivery]] = []
+        self.delayed: List[Tuple[float, int, Delivery]] = []
         self._sent = 0
 
     def delay(self, delivery: Delivery) -> None:
         """Take in a message that arrives later than now."""
-        heapq.heappush(self._delayed, (delivery[0], self._sent, delivery))
+        heapq.heappush(self.delayed, (delivery[0], self._sent, delivery))
         self._sent += 1
 
     def collect(self, now: float) -> bool:
@@ -79,10 +65,10 @@ class Inbox:
         Returns:
             True if anything is due.
         """
-        if self._delayed and self._delayed[0][0] <= now:
+        if self.delayed and self.delayed[0][0] <= now:
             late: List[Delivery] = []
-            while self._delayed and self._delayed[0][0] <= now:
-                late.append(heapq.heappop(self._delayed)[2])
+            while self.delayed and self.delayed[0][0] <= now:
+                late.append(heapq.heappop(self.delayed)[2])
             # What was delayed was sent before whatever arrived at its moment without delay.
             self.due.extend(sorted([*late, *self.arrived], key=_arrival))
             self.arrived.clear()
@@ -97,4 +83,4 @@ class Inbox:
         """Forget everything."""
         self.arrived.clear()
         self.due.clear()
-        self._delayed.clear()
+        self.delayed.clear()

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, Mapping, Optional, Protocol, Tuple
+from typing import Any, Callable, Dict, Iterable, Mapping, Optional, Protocol, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Heard, Outgoing, Subscription
 from rqt_mrta_py.model import resolve_name
 from rqt_mrta_py.transport.embedded.inbox import Inbox
+from rqt_mrta_py.transport.embedded.publisher import Publisher
 from rqt_mrta_py.transport.embedded.wiring import Ear
 from rqt_mrta_py.transport.patterns import resolve_topic
 
@@ -22,12 +23,12 @@ _new_heard = tuple.__new__
 class Carrier(Protocol):
     """What a node asks of the bus that carries its messages."""
 
-    def publisher(self, node: Node, topic: str, type_name: str, latched: bool) -> Any:
+    def publisher(self, node: Node, topic: str, type_name: str, latched: bool) -> Publisher:
         """Give the node's way onto a resolved topic."""
         ...
 
-    def publish(self, publisher: Any, fields: Mapping[str, Any], now: float) -> None:
-        """Carry a message at a time [s]."""
+    def publish_each(self, said: Iterable[Tuple[Node, Iterable[Outgoing]]], now: float) -> None:
+        """Carry messages at a time [s]."""
         ...
 
     def subscribe(self, ear: Ear) -> None:
@@ -46,6 +47,7 @@ class Node:
         name: resolved.
         robot: id of the robot it runs on; empty if on none.
         inbox: what is on its way to it.
+        publishers: its ways onto topics, by what its messages said: topic, type and whether they are latched.
         clock_offset: its clock minus the bus's [s]; a receipt that it is told of is by its own clock.
     """
 
@@ -57,10 +59,10 @@ class Node:
         self.inbox = Inbox()
         self.clock_offset = 0.0
         self._bus = bus
+        self.publishers: Dict[Tuple[str, str, bool], Publisher] = {}
         self._place = place
         self._remappings = dict(remappings or {})
         self._ears = 0
-        self._publishers: Dict[Tuple[str, str, bool], Any] = {}
 
     def subscribe(self, subscription: Subscription, callback: Callable[[Heard], None]) -> None:
         """Hear a topic from now on, and the latched messages it already has.
@@ -88,16 +90,28 @@ class Node:
             TransportError: the topic is no name that ROS accepts, or the message does not fit its type.
             ValueError: the bus's time is later already.
         """
-        topic, type_name, fields, latched = outgoing
-        publisher = self._publishers.get((topic, type_name, latched))
+        self._bus.publish_each(((self, (outgoing,)),), now)
+
+    def publisher(self, topic: str, type_name: str, latched: bool) -> Publisher:
+        """Give this node's way onto a topic; the bus calls this.
+
+        Args:
+            topic: is resolved in this node's namespace and remapped.
+            type_name: ``pkg/Msg``.
+            latched: True if late subscribers get the last message.
+
+        Raises:
+            TransportError: the topic is no name that ROS accepts, or the type is not known.
+        """
+        publisher = self.publishers.get((topic, type_name, latched))
         if publisher is None:
             try:
                 resolved = resolve_name(topic, self.name, self._remappings)
             except ValueError as error:
                 raise TransportError(f"{self.name}: topic {topic!r}: {error}") from error
             publisher = self._bus.publisher(self, resolved, type_name, latched)
-            self._publishers[topic, type_name, latched] = publisher
-        self._bus.publish(publisher, fields, now)
+            self.publishers[topic, type_name, latched] = publisher
+        return publisher
 
     def deliver(self, now: float) -> None:
         """Hear everything that is due; what is published meanwhile is heard the next time.
@@ -117,12 +131,16 @@ class Node:
         inbox, offset = self.inbox, self.clock_offset
         # A callback may discard what is due, or have more delivered.
         while inbox.due:
-            arrival, message, hearings = inbox.due.popleft()
-            connection, ordinal, receipt = message.connection, message.ordinal, arrival + offset
+            arrival, (topic, type_name, caller, ordinal, raw, read), hearings = inbox.due.popleft()
+            receipt = arrival + offset
             for callback, robot, task, paths, reader in hearings:
-                fields = _NOTHING if reader is None else message.fields(paths, reader)
-                values = (connection.topic, connection.type, receipt, fields, robot, task, connection.caller, ordinal)
-                callback(_new_heard(Heard, values))
+                if reader is None:
+                    fields = _NOTHING
+                elif paths in read:
+                    fields = read[paths]
+                else:
+                    fields = read[paths] = dict(zip(paths, reader(raw)))
+                callback(_new_heard(Heard, (topic, type_name, receipt, fields, robot, task, caller, ordinal)))
 
     def discard(self) -> None:
         """Forget everything that is on its way to this node."""

@@ -1,0 +1,206 @@
+"""What many nodes publish at once is what each of them would have published alone."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, List, Sequence, Tuple
+
+import numpy as np
+import pytest
+
+from rqt_mrta_py.errors import TransportError
+from rqt_mrta_py.hooks import Heard, Outgoing, Stamped, Subscription
+from rqt_mrta_py.transport import Bus, Node, RosCodec
+from tests.transport.support import ListLink, lookup
+
+POSE = "geometry_msgs/PoseStamped"
+
+
+class Team:
+    """A bus with two robots and an onlooker, and what was heard on it."""
+
+    def __init__(self) -> None:
+        self.link = ListLink(lambda sender, receiver: (0.0,) if receiver else (0.25, 0.5))
+        self.bus = Bus(RosCodec(lookup), self.link)
+        self.drivers = [self.bus.node(f"/robot{i}/driver", f"robot{i}") for i in (1, 2)]
+        self.heard: List[Tuple[str, Heard]] = []
+        self.told: List[List[Stamped]] = []
+        wishes = {"/robot1/agent": "pose", "/robot2/agent": "/@robot_id@/pose", "/onlooker": "/robot2/pose"}
+        for (name, topic), robot in zip(wishes.items(), ("robot1", "robot2", "")):
+            self.listen(self.bus.node(name, robot), topic)
+
+    def listen(self, node: Node, topic: str) -> None:
+        subscription = Subscription(topic, POSE, ("header/seq", "header/stamp", "pose/position/x"))
+        node.subscribe(subscription, lambda heard: self.heard.append((node.name, heard)))
+
+    def tap(self) -> None:
+        self.bus.tap(lambda batch: self.told.append(list(batch)))
+
+    def record(self) -> Tuple[Any, ...]:
+        self.bus.deliver(10.0)
+        return self.heard, [stamped for batch in self.told for stamped in batch], self.link.asked
+
+
+def poses(now: float, xs: Sequence[float]) -> Dict[str, Any]:
+    return {"header/stamp": now, "header/frame_id": "map", "pose/position/x": np.array(xs)}
+
+
+def pose(now: float, x: float) -> Outgoing:
+    fields = {"header": {"stamp": now, "frame_id": "map"}, "pose": {"position": {"x": x}}}
+    return Outgoing("pose", POSE, fields)
+
+
+@pytest.fixture
+def team() -> Team:
+    return Team()
+
+
+def test_rows_are_carried_as_if_each_node_had_published_its_own(team: Team) -> None:
+    alone = Team()
+    for each in (team, alone):
+        each.tap()
+    for now, xs in ((1.0, (3.0, 4.0)), (1.5, (5.0, 6.0))):
+        team.bus.publish_together(team.drivers, "pose", POSE, poses(now, xs), now)
+        for node, x in zip(alone.drivers, xs):
+            node.publish(pose(now, x), now)
+        team.drivers[1].publish(pose(now, 7.0), now)
+        alone.drivers[1].publish(pose(now, 7.0), now)
+    assert team.record() == alone.record()
+    assert [heard.fields["header/seq"] for name, heard in team.heard if name == "/robot1/agent"] == [1, 2]
+    assert [heard.ordinal for name, heard in team.heard if name == "/onlooker"] == [0, 1, 0, 1, 2, 3, 2, 3]
+    assert [len(batch) for batch in team.told] == [2, 1, 2, 1]
+
+
+def test_what_each_says_is_carried_in_order_and_told_in_one_batch(team: Team) -> None:
+    alone = Team()
+    for each in (team, alone):
+        each.tap()
+    for now in (1.0, 1.5):
+        said = [(0, (pose(now, 1.0), pose(now, 2.0))), (1, ()), (1, [pose(now, 3.0)]), (0, (pose(now, 4.0),))]
+        team.bus.publish_each([(team.drivers[place], messages) for place, messages in said], now)
+        for place, messages in said:
+            for outgoing in messages:
+                alone.drivers[place].publish(outgoing, now)
+    assert team.record() == alone.record()
+    assert [len(batch) for batch in team.told] == [4, 4]
+    assert [len(batch) for batch in alone.told] == [1] * 8
+
+
+def test_a_seq_that_is_given_is_kept(team: Team) -> None:
+    columns = {**poses(1.0, (1.0, 2.0)), "header/seq": np.array([40, 50])}
+    team.bus.publish_together(team.drivers, "pose", POSE, columns, 1.0)
+    team.bus.publish_together(team.drivers, "pose", POSE, poses(1.0, (1.0, 2.0)), 1.0)
+    team.bus.deliver(1.0)
+    assert [heard.fields["header/seq"] for _, heard in team.heard] == [40, 2, 40, 50, 2, 2]
+
+
+def test_nodes_resolve_and_remap_the_topic_each_for_itself() -> None:
+    bus = Bus(RosCodec(lookup), ListLink())
+    told: List[Stamped] = []
+    bus.tap(told.extend)
+    nodes = [bus.node("/a/driver", "a"), bus.node("/b/driver", "b", {"pose": "/elsewhere"})]
+    bus.publish_together(nodes, "pose", POSE, poses(1.0, (1.0, 2.0)), 1.0)
+    assert [stamped.connection.topic for stamped in told] == ["/a/pose", "/elsewhere"]
+    assert [stamped.connection.caller for stamped in told] == ["/a/driver", "/b/driver"]
+    bus.publish_together(nodes[::-1], "pose", POSE, poses(1.0, (1.0, 2.0)), 1.0)
+    assert [stamped.connection.topic for stamped in told[2:]] == ["/elsewhere", "/a/pose"]
+
+
+def test_whoever_subscribes_between_two_calls_hears_the_second(team: Team) -> None:
+    team.bus.publish_together(team.drivers, "pose", POSE, poses(1.0, (1.0, 2.0)), 1.0)
+    team.listen(team.bus.node("/robot1/late", "robot1"), "pose")
+    team.bus.publish_together(team.drivers, "pose", POSE, poses(1.0, (3.0, 4.0)), 1.0)
+    team.bus.deliver(1.0)
+    assert [heard.fields["pose/position/x"] for name, heard in team.heard if name == "/robot1/late"] == [3.0]
+
+
+def test_messages_that_nobody_wants_are_not_encoded_but_counted() -> None:
+    bus = Bus(RosCodec(lookup), ListLink())
+    nodes = [bus.node("/a/driver", "a"), bus.node("/b/driver", "b")]
+    bus.publish_together(nodes, "pose", POSE, {"nonsense": 1}, 1.0)
+    told: List[Stamped] = []
+    bus.tap(told.extend)
+    bus.publish_together(nodes, "pose", POSE, {}, 1.0)
+    assert [stamped.raw for stamped in told] == [b"\2" + bytes(3 + 8 + 4 + 56)] * 2
+
+
+def test_nobody_publishes_nothing(team: Team) -> None:
+    team.tap()
+    team.bus.publish_together([], "pose", POSE, {}, 1.0)
+    team.bus.publish_each([], 1.0)
+    assert team.told == []
+    with pytest.raises(ValueError, match="never goes back"):
+        team.bus.publish_each([], 0.5)
+    with pytest.raises(ValueError, match="never goes back"):
+        team.bus.publish_together([], "pose", POSE, {}, 0.5)
+
+
+@pytest.mark.parametrize(
+    ("topic", "type_name", "columns", "message"),
+    [
+        (
+            "pose",
+            POSE,
+            {"header/stamp": np.array([1.0, -1.0])},
+            "/robot2/driver on /robot2/pose: geometry_msgs/PoseStamped: header/stamp: -1.0 does not fit; "
+            "accepted is finite seconds from 0 to 4294967296",
+        ),
+        (
+            "pose",
+            POSE,
+            {"header/frame_id": ("map", 7)},
+            "/robot2/driver on /robot2/pose: geometry_msgs/PoseStamped: header/frame_id: [7] does not fit; "
+            "accepted is a number, a text, a list of one text a message, or an array of numbers with one row a message",
+        ),
+        (
+            "pose",
+            POSE,
+            {"pose/position/x": np.zeros(3)},
+            "/robot1/driver on /robot1/pose: geometry_msgs/PoseStamped: pose/position/x: 3 rows; "
+            "accepted is one for each of 2 messages",
+        ),
+        (
+            "pose",
+            POSE,
+            {"pose/position/x": np.zeros(1)},
+            "/robot1/driver on /robot1/pose: geometry_msgs/PoseStamped: pose/position/x: 1 rows; "
+            "accepted is one for each of 2 messages",
+        ),
+        (
+            "pose",
+            POSE,
+            {"nope": 1},
+            "/robot1/driver on /robot1/pose: geometry_msgs/PoseStamped: nope: geometry_msgs/PoseStamped has no such "
+            "field; it has: header, pose",
+        ),
+        ("p q", POSE, {}, "/robot1/driver: topic 'p q': 'p q' is not a name that ROS accepts"),
+        ("pose", "no/No", {}, "/robot1/driver on /robot1/pose: message type 'no/No' is not known"),
+    ],
+)
+def test_what_is_wrong_is_named_by_node_topic_and_path_and_nothing_is_carried(
+    team: Team, topic: str, type_name: str, columns: Dict[str, Any], message: str
+) -> None:
+    team.tap()
+    with pytest.raises(TransportError) as caught:
+        team.bus.publish_together(team.drivers, topic, type_name, columns, 1.0)
+    assert str(caught.value).startswith(message)
+    assert (team.record()[:2]) == ([], [])
+
+
+def test_taps_are_told_what_was_said_before_something_went_wrong(team: Team) -> None:
+    team.tap()
+    with pytest.raises(TransportError, match="/robot2/driver on /robot2/pose"):
+        team.bus.publish_each(
+            [
+                (team.drivers[0], [pose(1.0, 1.0)]),
+                (team.drivers[1], [pose(1.0, 2.0), Outgoing("pose", POSE, {"x": 1})]),
+            ],
+            1.0,
+        )
+
+    def fail() -> Any:
+        yield team.drivers[0], [pose(1.0, 3.0)]
+        raise RuntimeError("a robot broke down")
+
+    with pytest.raises(RuntimeError, match="broke down"):
+        team.bus.publish_each(fail(), 1.0)
+    assert [len(batch) for batch in team.told] == [2, 1]
