@@ -130,7 +130,12 @@ def test_list_reads_an_architecture_once_for_all_its_applications(
         register(packages / f"more_{number}", "application", APPLICATION.format(name=number, architecture="plain"))
     read: List[str] = []
     whole = Path.read_bytes
-    monkeypatch.setattr(Path, "read_bytes", lambda path: (read.append(str(path)), whole(path))[1])
+
+    def noted(path: Path) -> bytes:
+        read.append(str(path))
+        return whole(path)
+
+    monkeypatch.setattr(Path, "read_bytes", noted)
 
     assert command("list", "applications").status == 0
 

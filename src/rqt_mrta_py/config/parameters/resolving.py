@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Set, Tuple
 
 from rqt_mrta_py.config.parameters.array_sizes import ArraySizer, element_name
@@ -35,11 +35,13 @@ class ResolvedParameters:
         robot_id: whose they are.
         values: nested, in template order, in the types of the template.
         sources: file and line by path, joined by ``/``.
+        templates: what the architecture says of each, by path.
     """
 
     robot_id: str
     values: Mapping[str, Any]
     sources: Mapping[str, Tuple[str, int]]
+    templates: Mapping[str, ParameterTemplate] = field(default_factory=dict)
 
 
 def resolve_parameters(
@@ -63,7 +65,7 @@ def resolve_parameters(
     resolver.check_unknown()
     if resolver.problems:
         raise ConfigError(resolver.problems)
-    return ResolvedParameters(context.robot_id, values, resolver.sources)
+    return ResolvedParameters(context.robot_id, values, resolver.sources, resolver.templates)
 
 
 def locate_problems(
@@ -97,6 +99,7 @@ class _Resolver:
         self._groups: Set[Path] = set()
         self._arrays: List[Tuple[Path, re.Pattern[str], int]] = []
         self.sources: Dict[str, Tuple[str, int]] = {}
+        self.templates: Dict[str, ParameterTemplate] = {}
         self.problems: List[Problem] = []
 
     def items(self, items: Sequence[TemplateItem], place: Place) -> Dict[str, Any]:
@@ -151,7 +154,9 @@ class _Resolver:
                 self._problem(place.path, where, f"is mandatory and has no value; give {WANTED[item.type]}")
                 return None
             given = Given(text, True, self._context.template_source, item.line)
-        self.sources["/".join(place.path)] = (given.source, given.line)
+        name = "/".join(place.path)
+        self.sources[name] = (given.source, given.line)
+        self.templates[name] = item
         if size is not None:
             return size
         try:
