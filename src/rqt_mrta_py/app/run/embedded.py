@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any, Iterator, List, Set, Tuple
+from typing import Any, Iterator, List, Sequence, Set, Tuple
 
 from rqt_mrta_py.app.guard import makers
 from rqt_mrta_py.app.mission_message import mission_message
@@ -16,7 +16,7 @@ from rqt_mrta_py.hooks import Codec, Outgoing
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Mission, ScenarioSpec
 from rqt_mrta_py.sim import Simulation, label_of, order_of
-from rqt_mrta_py.transport import Bus
+from rqt_mrta_py.transport import Bus, Node
 
 __all__ = ["EmbeddedRun"]
 
@@ -99,7 +99,8 @@ class EmbeddedRun:
         for robot in self._simulation.robots.values():
             yield robot, "sense", "sensing"
         yield self._simulation, "act", "sensing"
-        yield self.bus, "publish", "bus"
+        yield self.bus, "publish_each", "bus"
+        yield self.bus, "publish_together", "bus"
         yield self.bus, "deliver", "bus"
         for member in self._team:
             yield member.host, "step", "robots"
@@ -152,9 +153,12 @@ class EmbeddedRun:
                 publish(message, now)
 
     def _decide(self, tick: int, now: float) -> None:
+        self.bus.publish_each(self._decisions(tick, now), now)
+        self.bus.deliver(now, self._drivers)
+
+    def _decisions(self, tick: int, now: float) -> Iterator[Tuple[Node, Sequence[Outgoing]]]:
+        """Let one robot after the other decide what to say."""
         offsets, paused = self._simulation.clock_offsets, self._paused
         for name, member in self._members.items():
             if name not in paused:
-                for message in member.host.step(tick, now + offsets.get(name, 0.0)):
-                    member.agent_node.publish(message, now)
-        self.bus.deliver(now, self._drivers)
+                yield member.agent_node, member.host.step(tick, now + offsets.get(name, 0.0))
