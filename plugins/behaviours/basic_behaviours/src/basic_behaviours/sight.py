@@ -6,7 +6,7 @@ Directions and bearings are relative to the robot's heading, counter-clockwise [
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Optional, Tuple
+from typing import TYPE_CHECKING, Dict, Optional, Tuple
 
 import numpy as np
 
@@ -60,6 +60,7 @@ class Sight:
         self.ranges = ranges
         self.directions = rays.directions
         self._travel: Optional[Tuple[float, NDArray[np.float64]]] = None
+        self._towards: Dict[Tuple[float, float], float] = {}
 
     @property
     def all_around(self) -> bool:
@@ -89,9 +90,13 @@ class Sight:
         return self._travel[1]
 
     def travel_towards(self, direction: float, radius: float) -> float:
-        """Compute the same for one direction, whichever [m]."""
-        between = self.bearings - direction
-        return float(_travel(self.ranges * np.cos(between), self.ranges * np.sin(between), radius).min())
+        """Compute the same for one direction, whichever [m]; of a scan, once."""
+        asked = (direction, radius)
+        if asked not in self._towards:
+            between = self.bearings - direction
+            free = _travel(self.ranges * np.cos(between), self.ranges * np.sin(between), radius)
+            self._towards[asked] = float(free.min())
+        return self._towards[asked]
 
 
 class SightReader:

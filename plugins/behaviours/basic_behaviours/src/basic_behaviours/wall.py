@@ -77,7 +77,7 @@ def wall_beside(sight: Sight, side: int, within: float, least: float = 0.0) -> O
     turned = side * sight.bearings
     (rays,) = np.nonzero((turned >= -_AHEAD) & (turned <= _BEHIND) & (sight.ranges <= within))
     for ray in rays[np.argsort(sight.ranges[rays], kind="stable")].tolist():
-        if length_at(sight, ray) >= least:
+        if least <= 0.0 or length_at(sight, ray) >= least:
             return wall_at(sight, ray)
     return None
 
