@@ -1,14 +1,19 @@
 from __future__ import annotations
 
+import dataclasses
 import json
 import os
+import random
 import struct
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
-from typing import Any, List
+from typing import Any, List, Sequence, Tuple
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from rqt_mrta_py.errors import MissingDependencyError, TransportError
 from rqt_mrta_py.hooks import Connection, Stamped
@@ -68,16 +73,92 @@ def test_the_file_header_has_the_length_that_ros_gives_it(tmp_path: Path) -> Non
     assert raw[4117 + 4 : 4117 + 12] == struct.pack("<L", 4) + b"op=\x05"
 
 
-def test_a_chunk_is_closed_before_its_second_is_over_once_it_has_768_kib(tmp_path: Path) -> None:
+def big(count: int, size: int) -> List[Stamped]:
     codec = RosCodec(lookup)
     connection = codec.connection("/big", "std_msgs/String")
-    raw = codec.encode("std_msgs/String", {"data": " " * 300_000})
+    raw = codec.encode("std_msgs/String", {"data": " " * size})
+    return [Stamped(connection, SECOND + number, raw) for number in range(count)]
+
+
+def test_a_chunk_is_closed_before_its_second_is_over_once_it_has_4_mib(tmp_path: Path) -> None:
     with BagWriter(tmp_path / "m.bag", Compression.NONE) as writer:
-        for number in range(7):
-            writer.write(Stamped(connection, SECOND + number, raw))
-    # Three messages are more than 768 KiB, two are less.
+        for stamped in big(7, 1_500_000):
+            writer.write(stamped)
+    # Three messages are more than 4 MiB, two are less.
     assert (tmp_path / "m.bag").read_bytes().count(struct.pack("<L", 4) + b"op=\x05") == 3
     assert read_bag_info(tmp_path / "m.bag").messages == 7
+
+
+def ballast() -> List[Stamped]:
+    """More than a chunk holds, of messages that cannot be compressed, all within a moment."""
+    chance = random.Random(1)
+    return [stamped._replace(raw=chance.getrandbits(800_000).to_bytes(100_000, "little")) for stamped in big(45, 0)]
+
+
+def pieces(stream: Sequence[Stamped], cuts: Sequence[int]) -> List[Sequence[Stamped]]:
+    bounds = [0, *sorted(cuts), len(stream)]
+    return [stream[begin:end] for begin, end in zip(bounds, bounds[1:])]
+
+
+@settings(deadline=None, max_examples=50)
+@given(
+    messages=st.lists(
+        st.tuples(
+            st.integers(0, 3), st.sampled_from([0, 1, 10_000_000, 400_000_000, -400_000_000]), st.integers(0, 99)
+        ),
+        max_size=80,
+    ),
+    cuts=st.lists(st.integers(0, 80), max_size=4),
+)
+def test_messages_make_the_same_bag_one_by_one_and_many_at_once(
+    messages: List[Tuple[int, int, int]], cuts: List[int]
+) -> None:
+    """Connections that come late, time that goes back, and chunks that end within what is handed over."""
+    connections = [Connection(f"/{number}", "std_msgs/Empty", "0" * 32, "") for number in range(4)]
+    stream, receipt_ns = [], 10 * SECOND
+    for number, later_ns, size in messages:
+        receipt_ns = max(0, receipt_ns + later_ns)
+        stream.append(Stamped(connections[number], receipt_ns, bytes([size]) * size * 1000))
+    with tempfile.TemporaryDirectory() as name, pytest.MonkeyPatch.context() as patch:
+        patch.setattr(bag_writer, "_CHUNK_BYTES", 400_000)
+        alone, together = Path(name, "alone.bag"), Path(name, "together.bag")
+        with BagWriter(alone, Compression.NONE) as writer:
+            for stamped in stream:
+                writer.write(stamped)
+        with BagWriter(together, Compression.NONE) as writer:
+            for piece in pieces(stream, [min(cut, len(stream)) for cut in cuts]):
+                writer.write_many(piece)
+        assert together.read_bytes() == alone.read_bytes()
+        assert list(read_bag(together)) == sorted(stream, key=lambda stamped: stamped.receipt_ns)
+
+
+def test_many_messages_at_once_are_written_up_to_the_first_that_cannot_be(tmp_path: Path) -> None:
+    stream = mission(100)
+    wrong = Stamped(stream[1].connection, -5, b"")
+    with BagWriter(tmp_path / "m.bag") as writer:
+        writer.write_many(stream[:20])
+        with pytest.raises(TransportError, match="a message of /chatter at -5 ns cannot be written"):
+            writer.write_many([*stream[20:60], wrong, *stream[60:]])
+        writer.write_many(stream[80:])
+    assert list(read_bag(tmp_path / "m.bag")) == [*stream[:60], *stream[80:]]
+
+
+def test_equal_connections_are_one_in_the_bag_however_their_messages_come(tmp_path: Path) -> None:
+    stream = mission(60)
+    copies = [stamped._replace(connection=dataclasses.replace(stamped.connection)) for stamped in stream]
+    with BagWriter(tmp_path / "m.bag") as writer:
+        writer.write_many(stream[:30])
+        writer.write_many(copies[30:])
+    assert list(read_bag(tmp_path / "m.bag")) == stream
+    assert len(read_bag_info(tmp_path / "m.bag").connections) == 4
+
+
+def test_a_closed_bag_takes_no_messages_at_once_either(tmp_path: Path) -> None:
+    writer = BagWriter(tmp_path / "m.bag")
+    writer.write_many(mission(20))
+    writer.close()
+    with pytest.raises(TransportError, match="is closed; a message of /mrta/mission came too late"):
+        writer.write_many(mission(20))
 
 
 def test_a_bag_is_active_until_it_is_closed(tmp_path: Path) -> None:
@@ -252,10 +333,10 @@ def test_a_killed_recording_keeps_what_was_checkpointed(tmp_path: Path) -> None:
 def test_ros_reads_reindexes_and_appends_to_our_bags(tmp_path: Path, compression: Compression) -> None:
     require_ros("rosbag")
     path = tmp_path / "m.bag"
-    stream = mission(300)
+    # The first chunk is as large as chunks get.
+    stream = sorted([*ballast(), *mission(300)], key=lambda stamped: stamped.receipt_ns)
     with BagWriter(path, compression) as writer:
-        for stamped in stream:
-            writer.write(stamped)
+        writer.write_many(stream)
     ours = [[s.connection.topic, s.connection.md5, s.receipt_ns, s.raw.hex()] for s in stream]
 
     script = (
@@ -289,8 +370,10 @@ def test_rosbag_plays_our_bags(tmp_path: Path) -> None:
     require_ros("rosmaster.master")
     path = tmp_path / "m.bag"
     with BagWriter(path) as writer:
-        for stamped in mission(90):
-            writer.write(stamped)
+        # What is played lies around and between chunks as large as they get.
+        writer.write_many(mission(90)[:30])
+        writer.write_many(ballast())
+        writer.write_many(mission(90)[30:])
     master = (
         "import sys\nfrom rosmaster.master import Master\n"
         "master = Master(0); master.start(); print(master.uri, flush=True); sys.stdin.read(); master.stop()\n"

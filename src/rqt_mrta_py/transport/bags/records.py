@@ -7,14 +7,13 @@ A record is ``u32 header length, header, u32 data length, data``, little endian;
 from __future__ import annotations
 
 import struct
-from typing import Dict, Mapping, Sequence, Tuple
+from typing import Dict, Mapping
 
 from rqt_mrta_py.hooks import Connection
 
 __all__ = [
     "FILE_HEADER_END",
     "MAGIC",
-    "MESSAGE_OVERHEAD",
     "OP_CHUNK",
     "OP_CHUNK_INFO",
     "OP_CONNECTION",
@@ -25,8 +24,6 @@ __all__ = [
     "chunk_info",
     "connection_record",
     "file_header",
-    "index_prefix",
-    "message_prefix",
     "pairs",
     "parse_pairs",
     "record",
@@ -43,9 +40,6 @@ _FILE_HEADER_BYTES = 4096
 
 FILE_HEADER_END = len(MAGIC) + 8 + _FILE_HEADER_BYTES
 """Where the first chunk begins."""
-
-MESSAGE_OVERHEAD = 46
-"""How much longer a message's record is than the message."""
 
 _u32 = struct.Struct("<I").pack
 _read_u32 = struct.Struct("<I").unpack_from
@@ -134,21 +128,6 @@ def connection_record(number: int, connection: Connection) -> bytes:
     return record({"op": OP_CONNECTION, "conn": _u32(number), "topic": topic}, pairs(data))
 
 
-def message_prefix(number: int) -> bytes:
-    """Give the record of any message of a connection up to its time; length and message follow the time."""
-    head = pairs({"op": OP_MESSAGE, "conn": _u32(number), "time": bytes(8)})
-    return _u32(len(head)) + head[:-8]
-
-
-def index_prefix(number: int) -> bytes:
-    """Give the index of a connection in a chunk up to the count of its entries.
-
-    The length of the entries follows, then the entries: time and offset in the chunk, 12 bytes each.
-    """
-    head = pairs({"op": OP_INDEX, "ver": _u32(1), "conn": _u32(number), "count": bytes(4)})
-    return _u32(len(head)) + head[:-4]
-
-
 def chunk_header(compression: str, size: int) -> bytes:
     """Give a chunk's record up to the length of its data.
 
@@ -160,14 +139,14 @@ def chunk_header(compression: str, size: int) -> bytes:
     return _u32(len(head)) + head
 
 
-def chunk_info(position: int, start_ns: int, end_ns: int, counts: Sequence[Tuple[int, int]]) -> bytes:
+def chunk_info(position: int, start_ns: int, end_ns: int, counts: bytes) -> bytes:
     """Give the record that sums up a chunk, after the last chunk.
 
     Args:
         position: where the chunk begins in the file.
         start_ns: receipt of its earliest message [ns].
         end_ns: receipt of its latest message [ns].
-        counts: number of each connection in it, and of that connection's messages in it.
+        counts: number of each connection in it and of that connection's messages in it, 32 bits each.
     """
     head = {
         "op": OP_CHUNK_INFO,
@@ -175,6 +154,6 @@ def chunk_info(position: int, start_ns: int, end_ns: int, counts: Sequence[Tuple
         "chunk_pos": _u64(position),
         "start_time": stamp(start_ns),
         "end_time": stamp(end_ns),
-        "count": _u32(len(counts)),
+        "count": _u32(len(counts) // 8),
     }
-    return record(head, b"".join([_two(number, count) for number, count in counts]))
+    return record(head, counts)
