@@ -3,22 +3,29 @@
 from __future__ import annotations
 
 import math
-from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Sequence, Tuple
+from typing import TYPE_CHECKING, Dict, FrozenSet, List, Mapping, NamedTuple, Sequence, Tuple, Union
 
 import numpy as np
 
-from rqt_mrta_py.model import RobotState
-from rqt_mrta_py.render.canvas import Box, Canvas, Point, label_size
+from rqt_mrta_py.hooks import RobotSight
+from rqt_mrta_py.model import Arena, Outcome, RobotState, Task
+from rqt_mrta_py.render.canvas import Box, Canvas, Point, Points, label_size
 from rqt_mrta_py.render.crowd import PlacedTeam, place_team, print_crowd, size_among
 from rqt_mrta_py.render.floor import ArenaMap, somewhere, without_places
+from rqt_mrta_py.render.happenings import Condition
 from rqt_mrta_py.render.labels import LabelPlacer
-from rqt_mrta_py.render.page import FEW, Page
-from rqt_mrta_py.render.palette import FAINT, INK, MUTED, WHITE, Colour, mix
+from rqt_mrta_py.render.layout import ARENA, inside
+from rqt_mrta_py.render.page import FEW, Page, Part
+from rqt_mrta_py.render.palette import FAINT, INK, MUTED, WHITE, Colour, TaskColours, mix
 from rqt_mrta_py.render.signs import BADGE_RADIUS, badge, diamond, light
-from rqt_mrta_py.render.stamps import Stamps, TaskStamp
+from rqt_mrta_py.render.stamps import TaskStamp, print_stamp
 from rqt_mrta_py.render.text import Style, shorten
+from rqt_mrta_py.render.trails import Stroke, draw_fresh_trails
 
-__all__ = ["Named", "draw_arena"]
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Named", "arena_part", "draw_arena"]
 
 _NAME = Style(12, bold=True)
 _LONGEST_NAME = 130.0
@@ -43,66 +50,128 @@ class _Name(NamedTuple):
     colour: Colour
 
 
-def draw_arena(whole: Canvas, page: Page, place: ArenaMap, named: Named, stamps: Stamps) -> Tuple[Box, ...]:
-    """Draw allocations, task places, robots and names.
+class _Arena(NamedTuple):
+    """What the arena shows.
+
+    Attributes:
+        floor: what is shown of the frame ``map``.
+        robots: all that there are.
+        states: of robots, by id.
+        tasks: that have, or have not, a place.
+        held: (robot, task) of each open allocation, in the record's order.
+        colours: of tasks.
+        conditions: what a scenario wants to be the matter, by robot.
+        named: who is named, if there are more than a few.
+        trails: of a few robots, since the last whole second.
+        empty: True if nothing is known of where anything is.
+    """
+
+    floor: Arena
+    robots: Tuple[RobotSight, ...]
+    states: Mapping[str, RobotState]
+    tasks: Tuple[Task, ...]
+    held: Tuple[Tuple[str, str], ...]
+    colours: TaskColours
+    conditions: Mapping[str, Condition]
+    named: Named
+    trails: Tuple[Stroke, ...]
+    empty: bool
+
+
+def arena_part(page: Page, place: ArenaMap, named: Named, trails: Tuple[Stroke, ...]) -> Part:
+    """Say what the arena shows: allocations, task places, robots and names.
 
     Args:
-        whole: the whole picture's canvas; floor and trails are there.
         page: the mission.
-        place: where things are.
+        place: where things are; floor and settled trails lie below.
         named: who is named, if there are more than a few.
-        stamps: signs for many robots or tasks.
+        trails: what is not settled of the trails of a few robots.
+    """
+    scene, is_open = page.view.scene, Outcome.OPEN
+    content = _Arena(
+        place.floor,
+        scene.robots,
+        page.states,
+        scene.tasks,
+        tuple([(each.robot, each.task) for each in page.view.record.allocations if each.outcome is is_open]),
+        page.colours,
+        page.conditions,
+        named,
+        trails,
+        without_places(scene),
+    )
+    return Part(place.box, content, draw_arena)
+
+
+def draw_arena(whole: Canvas, arena: _Arena) -> Tuple[Box, ...]:
+    """Draw what the arena shows.
+
+    Args:
+        whole: the whole picture's canvas; floor and settled trails are there.
+        arena: the content of the part.
 
     Returns:
         The rectangles of the names, in the canvas' pixels.
     """
+    place = ArenaMap(arena.floor, inside(ARENA))
     canvas = whole.part(place.box)
-    if without_places(page.view.scene):
-        middle = Box(0, 0, place.box.width, place.box.height).centre
-        canvas.text(middle[0], middle[1], "no poses heard", _NAME, MUTED, FAINT, anchor=0.5)
-    crowd = len(page.view.scene.robots) > FEW
-    places = ((task.id, somewhere(task.place)) for task in page.view.scene.tasks)
+    draw_fresh_trails(canvas, arena.robots, place, arena.trails)
+    bounds = Box(0, 0, *canvas.image.shape[1::-1])
+    if arena.empty:
+        canvas.text(*bounds.centre, "no poses heard", _NAME, MUTED, FAINT, anchor=0.5)
+    crowd = len(arena.robots) > FEW
+    places = ((task.id, somewhere(task.place)) for task in arena.tasks)
     tasks = {task: place.inside(pose) for task, pose in places if pose is not None}
     task_size = size_among(_TASK_SIZE, len(tasks), _SMALLEST_TASK)
-    team = place_team(page, place)
+    team = place_team(arena.robots, place)
     centres = dict(zip(team.places, map(tuple, team.centres.tolist())))
-    _draw_allocations(page, canvas, centres, tasks, crowd)
-    _draw_tasks(page, canvas, tasks, task_size, stamps)
+    held_by: Dict[str, List[Colour]] = {}
+    for robot, task in arena.held:
+        held_by.setdefault(robot, []).append(arena.colours[task])
+    _draw_allocations(arena, canvas, centres, tasks, crowd)
+    _draw_tasks(arena.colours, canvas, tasks, task_size)
     noses = []
     if crowd:
-        print_crowd(canvas, page, team, stamps)
+        print_crowd(canvas, team, arena.states, {robot: colours[-1] for robot, colours in held_by.items()})
     else:
-        noses = _draw_robots(page, canvas, team)
+        noses = _draw_robots(canvas, team, arena.states, held_by)
     names = [
-        _Name(task, point, task_size, mix(page.colours[task], INK, 0.35))
+        _Name(task, point, task_size, mix(arena.colours[task], INK, 0.35))
         for task, point in tasks.items()
-        if len(tasks) <= FEW or task in named.tasks
+        if len(tasks) <= FEW or task in arena.named.tasks
     ]
     names += [
         _Name(robot, centres[robot], float(team.radii[number]) + 4.0, INK)
         for robot, number in team.places.items()
-        if not crowd or robot in named.robots
+        if not crowd or robot in arena.named.robots
     ]
-    things = [_around(point, task_size) for point in tasks.values()]
-    things += [_around(point, radius + 2.0) for point, radius in zip(centres.values(), team.radii.tolist())]
-    things += [_around(nose, 3.0) for nose in noses]
-    things += [_around(point, BADGE_RADIUS) for point in _draw_badges(page, canvas, team)]
-    bounds = Box(0, 0, *canvas.image.shape[1::-1])
+    badges = _draw_badges(arena.conditions, canvas, team)
+    things = np.concatenate(
+        (
+            _around(list(tasks.values()), task_size),
+            _around(team.centres, team.radii[:, None] + 2.0),
+            _around(noses, 3.0),
+            _around(badges, BADGE_RADIUS),
+        )
+    )
     boxes = _draw_names(canvas, LabelPlacer(bounds, things), names, near=crowd or len(tasks) > FEW)
     left, top = place.box.left, place.box.top
     return tuple(Box(b.left + left, b.top + top, b.right + left, b.bottom + top) for b in boxes)
 
 
 def _draw_allocations(
-    page: Page, canvas: Canvas, robots: Mapping[str, Point], tasks: Mapping[str, Point], crowd: bool
+    arena: _Arena, canvas: Canvas, robots: Mapping[str, Point], tasks: Mapping[str, Point], crowd: bool
 ) -> None:
-    lines: Dict[Colour, List[List[Point]]] = {}
-    if sum(map(len, page.open_by_task.values())) > _MOST_LINES:
+    if len(arena.held) > _MOST_LINES:
         return
+    holders: Dict[str, List[str]] = {}
+    for robot, task in arena.held:
+        holders.setdefault(task, []).append(robot)
+    lines: Dict[Colour, List[List[Point]]] = {}
     for task, point in tasks.items():
-        for allocation in page.open_by_task.get(task, ()):
-            if allocation.robot in robots:
-                lines.setdefault(page.colours[task], []).append([robots[allocation.robot], point])
+        for robot in holders.get(task, ()):
+            if robot in robots:
+                lines.setdefault(arena.colours[task], []).append([robots[robot], point])
     if not crowd:
         canvas.strokes([line for of_colour in lines.values() for line in of_colour], WHITE, 5)
     for colour, of_colour in lines.items():
@@ -112,24 +181,25 @@ def _draw_allocations(
             canvas.strokes(of_colour, colour, 2)
 
 
-def _draw_tasks(page: Page, canvas: Canvas, tasks: Mapping[str, Point], size: float, stamps: Stamps) -> None:
+def _draw_tasks(colours: TaskColours, canvas: Canvas, tasks: Mapping[str, Point], size: float) -> None:
     if len(tasks) <= FEW:
         for task, point in tasks.items():
-            diamond(canvas, point, size, page.colours[task])
+            diamond(canvas, point, size, colours[task])
         return
     groups: Dict[Colour, List[Point]] = {}
     for task, point in tasks.items():
-        groups.setdefault(page.colours[task], []).append(point)
+        groups.setdefault(colours[task], []).append(point)
     for colour, points in groups.items():
-        stamps.print(canvas, np.array(points), TaskStamp(size, colour))
+        print_stamp(canvas, np.array(points), TaskStamp(size, colour))
 
 
-def _draw_robots(page: Page, canvas: Canvas, team: PlacedTeam) -> List[Point]:
+def _draw_robots(
+    canvas: Canvas, team: PlacedTeam, states: Mapping[str, RobotState], held_by: Mapping[str, Sequence[Colour]]
+) -> List[Point]:
     """Draw a light with a nose for each robot, and a ring for each task held; give the tips of the noses."""
-    states = {robot.id: robot.state for robot in page.view.record.robots}
     noses = []
     for robot, (x, y), radius, yaw in zip(team.places, team.centres.tolist(), team.radii.tolist(), team.yaws.tolist()):
-        rings = [page.colours[allocation.task] for allocation in page.open_by_robot.get(robot, ())[:3]]
+        rings = held_by.get(robot, ())[:3]
         cos, sin = math.cos(yaw), -math.sin(yaw)
         nose, base, half = radius + 10.0 + 3.0 * len(rings), 0.4 * radius, radius + 0.5
         for ring, colour in reversed(list(enumerate(rings))):
@@ -144,10 +214,10 @@ def _draw_robots(page: Page, canvas: Canvas, team: PlacedTeam) -> List[Point]:
     return noses
 
 
-def _draw_badges(page: Page, canvas: Canvas, team: PlacedTeam) -> List[Point]:
+def _draw_badges(conditions: Mapping[str, Condition], canvas: Canvas, team: PlacedTeam) -> List[Point]:
     """Draw the badges of robots with which something is the matter, below them on the right; give their places."""
     drawn = []
-    for robot, condition in page.conditions.items():
+    for robot, condition in conditions.items():
         if robot in team.places:
             number = team.places[robot]
             away = 0.7 * (float(team.radii[number]) + BADGE_RADIUS)
@@ -157,8 +227,10 @@ def _draw_badges(page: Page, canvas: Canvas, team: PlacedTeam) -> List[Point]:
     return drawn
 
 
-def _around(centre: Point, radius: float) -> Tuple[float, float, float, float]:
-    return centre[0] - radius, centre[1] - radius, centre[0] + radius, centre[1] + radius
+def _around(centres: Points, radius: Union[float, NDArray[np.float64]]) -> NDArray[np.float64]:
+    """Give the squares around places: left, top, right, bottom (places, 4)."""
+    places = np.array(centres, dtype=np.float64).reshape(-1, 2)
+    return np.hstack((places - radius, places + radius))
 
 
 def _draw_names(canvas: Canvas, placer: LabelPlacer, names: Sequence[_Name], near: bool) -> Tuple[Box, ...]:

@@ -30,7 +30,7 @@ from rqt_mrta_py.render.times import Axis, TimeAxis, number
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["curves_part", "draw_fresh_curves"]
+__all__ = ["curves_part", "fresh_curves_parts"]
 
 _NAME = Style(12, bold=True)
 _THICK_FROM = 60.0
@@ -94,22 +94,24 @@ def curves_part(page: Page) -> Part:
     return Part(CURVES, _panels(page), _draw_panels)
 
 
-def draw_fresh_curves(canvas: Canvas, page: Page, part: Part) -> None:
-    """Draw the ends of curves that ``curves_part`` leaves out, after the last whole second.
+def fresh_curves_parts(page: Page, part: Part) -> Tuple[Part, ...]:
+    """Say what ``curves_part`` leaves out: the ends of curves after the last whole second, if there are any.
 
     Args:
-        canvas: the whole picture's; the part is there.
         page: the mission.
-        part: the one that is there.
+        part: the panels, which lie below.
     """
     panels: Tuple[_Panel, ...] = part.content
+    fresh: List[Tuple[_Panel, Tuple[_Line, ...]]] = []
     for panel, curves in zip(panels, page.view.panels):
         ends = []
         for chart, curve in _curves(curves):
             first, last = _settled(page, curve)
             if last < len(curve.times):
                 ends.append(_line(page, chart, curve, max(last - 1, first), len(curve.times)))
-        _draw_lines(canvas, panel, ends)
+        if ends:
+            fresh.append((panel, tuple(ends)))
+    return (Part(CURVES, tuple(fresh), _draw_ends),) if fresh else ()
 
 
 def _curves(curves: CurvePanel) -> List[Tuple[int, Curve]]:
@@ -158,6 +160,11 @@ def _settled_lines(page: Page, curves: CurvePanel) -> Iterator[_Line]:
 def _line(page: Page, chart: int, curve: Curve, first: int, last: int) -> _Line:
     times, values = array("d", curve.times[first:last]), array("d", curve.values[first:last])
     return _Line(chart, page.colours[curve.label], times.tobytes(), values.tobytes())
+
+
+def _draw_ends(canvas: Canvas, fresh: Sequence[Tuple[_Panel, Sequence[_Line]]]) -> None:
+    for panel, lines in fresh:
+        _draw_lines(canvas, panel, lines)
 
 
 def _draw_panels(canvas: Canvas, panels: Tuple[_Panel, ...]) -> None:

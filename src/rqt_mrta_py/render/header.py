@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Optional
+import math
+from typing import NamedTuple, Optional, Tuple
 
 from rqt_mrta_py.hooks import MonitorView
 from rqt_mrta_py.model import Severity
@@ -14,7 +15,7 @@ from rqt_mrta_py.render.signs import warning
 from rqt_mrta_py.render.text import Style, fit, text_width
 from rqt_mrta_py.render.times import elapsed, seconds, whole_seconds
 
-__all__ = ["BAND", "draw_clock", "header_part"]
+__all__ = ["BAND", "clock_parts", "header_part"]
 
 BAND: Colour = (27, 38, 54)
 _SOFT: Colour = (174, 188, 206)
@@ -57,22 +58,22 @@ def header_part(view: MonitorView) -> Part:
     return Part(HEADER, content, _draw_header)
 
 
-def draw_clock(canvas: Canvas, view: MonitorView, part: Part) -> None:
-    """Draw mission time and how much of the mission has passed.
+def clock_parts(view: MonitorView, header: Part) -> Tuple[Part, ...]:
+    """Say what the head shows of the time: mission time, and how much of the mission has passed if that is known.
 
     Args:
-        canvas: the whole picture's; the part is there.
         view: the mission.
-        part: the one that is there.
+        header: what lies below.
     """
     gone = elapsed(view, view.now)
+    end, words = _clock_end(header.content), seconds(gone)
+    beside = Box(math.floor(end - _clock_width(words)) - 3, 0, math.ceil(end) + 1, HEADER.bottom - _BAR)
+    parts = [Part(beside, (end, words), _draw_clock)]
     if view.duration is not None:
         share = min(max(gone / view.duration, 0.0), 1.0) if view.duration > 0.0 else 1.0
-        canvas.fill(Box(0, HEADER.bottom - _BAR, HEADER.right * share, HEADER.bottom), _PROGRESS)
-    left = _clock_end(part.content)
-    # Each character was on a picture before, which a whole time never was; neighbours share a pixel of air.
-    for character in reversed(seconds(gone)):
-        left -= canvas.text(left, _MIDDLE, character, _CLOCK, WHITE, BAND, anchor=1.0) - 2.0
+        below = Box(0, HEADER.bottom - _BAR, HEADER.right, HEADER.bottom)
+        parts.append(Part(below, round(HEADER.right * share), _draw_progress))
+    return tuple(parts)
 
 
 def _draw_header(canvas: Canvas, header: _Header) -> None:
@@ -88,6 +89,17 @@ def _draw_header(canvas: Canvas, header: _Header) -> None:
     title = fit(header.title, _HEADLINE, 0.62 * (right - 16.0))
     left = 16.0 + canvas.text(16.0, _MIDDLE, title, _HEADLINE, WHITE, BAND) + 14.0
     canvas.text(left, _MIDDLE + 2, fit(header.subtitle, _WORDS, right - left), _WORDS, _SOFT, BAND)
+
+
+def _draw_clock(canvas: Canvas, clock: Tuple[float, str]) -> None:
+    left, words = clock
+    # Each character was on a picture before, which a whole time never was; neighbours share a pixel of air.
+    for character in reversed(words):
+        left -= canvas.text(left, _MIDDLE, character, _CLOCK, WHITE, BAND, anchor=1.0) - 2.0
+
+
+def _draw_progress(canvas: Canvas, width: int) -> None:
+    canvas.fill(Box(0, HEADER.bottom - _BAR, width, HEADER.bottom), _PROGRESS)
 
 
 def _clock_end(header: _Header) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Iterable, List, NamedTuple, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -51,17 +51,18 @@ class LabelPlacer:
 
     Args:
         bounds: that labels must stay in.
-        things: rectangles better not covered: left, top, right, bottom.
+        things: rectangles better not covered: left, top, right, bottom; or an array (things, 4) of them.
     """
 
-    def __init__(self, bounds: Box, things: Iterable[Sequence[float]] = ()) -> None:
+    def __init__(self, bounds: Box, things: Union[Sequence[Sequence[float]], NDArray[np.float64]] = ()) -> None:
         self._bounds = bounds
         self._left, self._top = math.floor(bounds.left), math.floor(bounds.top)
         size = (max(math.ceil(bounds.bottom) - self._top, 0), max(math.ceil(bounds.right) - self._left, 0))
         self._plan = np.zeros(size, dtype=np.uint8)
-        for left, top, right, bottom in things:
-            rows = slice(max(math.floor(top) - self._top, 0), max(math.ceil(bottom) - self._top, 0))
-            self._plan[rows, max(math.floor(left) - self._left, 0) : max(math.ceil(right) - self._left, 0)] = _THING
+        edges = np.array(things, dtype=np.float64).reshape(-1, 4) - (self._left, self._top, self._left, self._top)
+        cells = np.hstack((np.floor(edges[:, :2]), np.ceil(edges[:, 2:]))).clip(0, max(size))
+        for left, top, right, bottom in cells.astype(np.intp).tolist():
+            self._plan[top:bottom, left:right] = _THING
         self.placed: List[Box] = []
 
     def place(self, anchor: Point, radius: float, size: Tuple[float, float], near: bool = False) -> Optional[Placement]:

@@ -2,29 +2,28 @@
 
 from __future__ import annotations
 
-import sys
-from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
+from typing import TYPE_CHECKING, NamedTuple, Optional, Tuple
 
 import numpy as np
 
 from rqt_mrta_py.hooks import MonitorView
 from rqt_mrta_py.model import Arena, Obstacle
-from rqt_mrta_py.render.arena import Named, draw_arena
+from rqt_mrta_py.render.arena import Named, arena_part
 from rqt_mrta_py.render.canvas import Box, Canvas
 from rqt_mrta_py.render.curve_axes import curve_titles, curves_boxes
-from rqt_mrta_py.render.curves import curves_part, draw_fresh_curves
+from rqt_mrta_py.render.curves import curves_part, fresh_curves_parts
 from rqt_mrta_py.render.events import events_part
 from rqt_mrta_py.render.floor import ArenaMap, draw_floor, extent
 from rqt_mrta_py.render.happenings import radio_is_split
-from rqt_mrta_py.render.header import BAND, draw_clock, header_part
+from rqt_mrta_py.render.header import BAND, clock_parts, header_part
+from rqt_mrta_py.render.layers import Layer, Printer
 from rqt_mrta_py.render.layout import ARENA, HEADER, HEIGHT, SIDE, SMALL, TEAM, TIMELINE, WIDTH, inside, panel
 from rqt_mrta_py.render.page import FEW, Page, Part
 from rqt_mrta_py.render.palette import HAPPENING, MUTED, PAGE, WHITE
-from rqt_mrta_py.render.stamps import Stamps
 from rqt_mrta_py.render.tasks import tasks_height, tasks_part
 from rqt_mrta_py.render.team import team_part
-from rqt_mrta_py.render.timeline import draw_moment, draw_outcome_legend, timeline_part
-from rqt_mrta_py.render.trails import cut_trails, draw_fresh_trails
+from rqt_mrta_py.render.timeline import draw_outcome_legend, moment_parts, timeline_part
+from rqt_mrta_py.render.trails import cut_trails
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -41,18 +40,14 @@ _Ground = Tuple[Arena, Tuple[Obstacle, ...], int, Tuple[str, ...]]
 class MonitorRenderer:
     """Draws the arena, the team, the tasks, allocations over time, curves and the newest events.
 
-    What looks as in the picture before is not drawn again: what never moves, and every part whose content is equal. A
-    part is drawn from its content alone, so a picture is a function of its view, whatever was drawn before. Not to be
-    called from two threads at once.
+    What looks as in the picture before is not drawn again, nor copied: what never moves, and every part whose content
+    is equal. A part is drawn from its content alone, so a picture is a function of its view, whatever was drawn before.
+    Not to be called from two threads at once.
     """
 
     def __init__(self) -> None:
         self._ground_of: Optional[_Ground] = None
-        self._ground: Any = None
-        self._base: Any = None
-        self._parts: Dict[Box, Part] = {}
-        self._stamps = Stamps()
-        self._pictures = _Pictures()
+        self._layers: Optional[_Layers] = None
 
     def __call__(self, view: MonitorView) -> NDArray[np.uint8]:
         """Draw a picture.
@@ -61,47 +56,39 @@ class MonitorRenderer:
             view: the mission at one moment.
 
         Returns:
-            A picture (720, 1280, 3), blue, green, red, that is the caller's own; equal for equal views.
+            A picture (720, 1280, 3), blue, green, red; equal for equal views. It is not to be written on, and stays as
+            it is while anybody holds it.
 
         Raises:
             MissingDependencyError: OpenCV, Pillow or the font is not installed.
         """
         page = Page.of(view)
         place = ArenaMap(extent(view.scene), inside(ARENA))
+        layers = self._layers_on(
+            (place.floor, view.scene.obstacles, len(view.record.tasks), curve_titles(view.panels)), place
+        )
         tasks, events = _side(len(view.record.tasks))
-        timeline, curves = timeline_part(page), curves_part(page)
         trails, fresh_trails = cut_trails(page, place)
-        self._lay_ground((place.floor, view.scene.obstacles, len(view.record.tasks), curve_titles(view.panels)), place)
-        header = header_part(view)
+        header, timeline, curves = header_part(view), timeline_part(page), curves_part(page)
         lists = team_part(page), tasks_part(page, tasks)
-        for part in (header, _arena_title(view), trails, *lists, events_part(page, events), timeline, curves):
-            self._lay(part)
-        image = self._pictures.take()
-        np.copyto(image, self._base)
-        canvas = Canvas(image)
-        draw_clock(canvas, view, header)
-        draw_fresh_trails(canvas.part(place.box), page, place, fresh_trails)
-        draw_arena(canvas, page, place, _named(lists), self._stamps)
-        draw_moment(canvas, page, timeline)
-        draw_fresh_curves(canvas, page, curves)
-        return image
+        layers.settled.show(
+            [header, _arena_title(view), trails, *lists, events_part(page, events), timeline, curves],
+        )
+        layers.moving.show(
+            [
+                *clock_parts(view, header),
+                arena_part(page, place, _named(lists), fresh_trails),
+                *moment_parts(page, timeline),
+                *fresh_curves_parts(page, curves),
+            ]
+        )
+        return layers.printer.print()
 
-    def _lay_ground(self, ground: _Ground, place: ArenaMap) -> None:
-        if ground != self._ground_of:
-            self._ground_of = None
-            self._ground = _drawn_ground(ground, place)
-            self._base = self._ground.copy()
-            self._parts.clear()
+    def _layers_on(self, ground: _Ground, place: ArenaMap) -> _Layers:
+        if self._layers is None or ground != self._ground_of:
+            self._layers = _Layers.on(_drawn_ground(ground, place))
             self._ground_of = ground
-
-    def _lay(self, part: Part) -> None:
-        if self._parts.get(part.box) == part:
-            return
-        self._parts.pop(part.box, None)
-        left, top, right, bottom = (round(edge) for edge in part.box)
-        self._base[top:bottom, left:right] = self._ground[top:bottom, left:right]
-        part.draw(Canvas(self._base), part.content)
-        self._parts[part.box] = part
+        return self._layers
 
 
 def draw_monitor(view: MonitorView) -> NDArray[np.uint8]:
@@ -119,28 +106,18 @@ def draw_monitor(view: MonitorView) -> NDArray[np.uint8]:
     return MonitorRenderer()(view)
 
 
-class _Pictures:
-    """Hands out pictures that nobody else holds any more: to fetch memory anew costs more than to draw a part."""
+class _Layers(NamedTuple):
+    """A picture on one ground: what looks the same until the next whole second, what moves, and prints of both."""
 
-    _MOST = 4
+    settled: Layer
+    moving: Layer
+    printer: Printer
 
-    def __init__(self) -> None:
-        self._pictures: List[NDArray[np.uint8]] = []
-        self._references = 0
-
-    def take(self) -> NDArray[np.uint8]:
-        """Give a picture with anything on it."""
-        for index in range(len(self._pictures)):
-            # Counted here just as it was when nobody else held it; arrays made from a picture count too.
-            if sys.getrefcount(self._pictures[index]) <= self._references:
-                return self._pictures[index]
-        picture = np.empty((HEIGHT, WIDTH, 3), dtype=np.uint8)
-        if len(self._pictures) < self._MOST:
-            self._pictures.append(picture)
-            del picture
-            self._references = sys.getrefcount(self._pictures[-1])
-            return self._pictures[-1]
-        return picture
+    @classmethod
+    def on(cls, ground: NDArray[np.uint8]) -> _Layers:
+        settled = Layer(ground).on_top()
+        moving = settled.on_top()
+        return cls(settled, moving, Printer(moving))
 
 
 def _side(tasks: int) -> Tuple[Box, Box]:

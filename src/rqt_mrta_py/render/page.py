@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Sequence
 
 from rqt_mrta_py.hooks import MonitorView
-from rqt_mrta_py.model import Allocation, Outcome
+from rqt_mrta_py.model import Allocation, Outcome, RobotState
 from rqt_mrta_py.render.canvas import Box, Canvas
 from rqt_mrta_py.render.foremost import troubles
 from rqt_mrta_py.render.happenings import Condition, conditions
@@ -28,12 +29,12 @@ class Part(NamedTuple):
     Attributes:
         box: what is drawn upon, and nothing else.
         content: values, compared by ``==``, that say everything about how it looks.
-        draw: draws a content on the whole picture's canvas, whose box shows the static ground; knows nothing else.
+        draw: draws a content on the whole picture's canvas, whose box shows what lies below; knows nothing else.
     """
 
     box: Box
     content: Any
-    draw: Callable[[Canvas, Any], None]
+    draw: Callable[[Canvas, Any], object]
 
 
 @dataclass(frozen=True)
@@ -43,6 +44,7 @@ class Page:
     Attributes:
         view: the mission.
         colours: of its tasks and curves.
+        states: of its robots, by id.
         by_robot: every allocation by its robot, in the record's order.
         open_by_robot: those still open by robot.
         open_by_task: those still open by task.
@@ -53,6 +55,7 @@ class Page:
 
     view: MonitorView
     colours: TaskColours
+    states: Mapping[str, RobotState]
     by_robot: Mapping[str, Sequence[Allocation]]
     open_by_robot: Mapping[str, Sequence[Allocation]]
     open_by_task: Mapping[str, Sequence[Allocation]]
@@ -67,17 +70,19 @@ class Page:
         Args:
             view: the mission.
         """
-        by_robot: Dict[str, List[Allocation]] = {}
-        open_by_robot: Dict[str, List[Allocation]] = {}
-        open_by_task: Dict[str, List[Allocation]] = {}
+        by_robot: Dict[str, List[Allocation]] = defaultdict(list)
+        open_by_robot: Dict[str, List[Allocation]] = defaultdict(list)
+        open_by_task: Dict[str, List[Allocation]] = defaultdict(list)
+        is_open = Outcome.OPEN
         for allocation in view.record.allocations:
-            by_robot.setdefault(allocation.robot, []).append(allocation)
-            if allocation.outcome is Outcome.OPEN:
-                open_by_robot.setdefault(allocation.robot, []).append(allocation)
-                open_by_task.setdefault(allocation.task, []).append(allocation)
+            by_robot[allocation.robot].append(allocation)
+            if allocation.outcome is is_open:
+                open_by_robot[allocation.robot].append(allocation)
+                open_by_task[allocation.task].append(allocation)
         return cls(
             view,
             TaskColours.of(view),
+            {robot.id: robot.state for robot in view.record.robots},
             by_robot,
             open_by_robot,
             open_by_task,

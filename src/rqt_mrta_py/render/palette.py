@@ -7,6 +7,7 @@ as a curve. No colour stands alone: lights carry a sign, bars and lines a name.
 from __future__ import annotations
 
 from functools import lru_cache
+from itertools import cycle
 from typing import Dict, Iterable, Mapping, Tuple
 
 from rqt_mrta_py.hooks import MonitorView
@@ -107,10 +108,7 @@ class TaskColours:
     """
 
     def __init__(self, labels: Iterable[str]) -> None:
-        self._colours: Dict[str, Colour] = {}
-        for label in labels:
-            if label not in self._colours:
-                self._colours[label] = TASK_COLOURS[len(self._colours) % len(TASK_COLOURS)]
+        self._colours: Dict[str, Colour] = dict(zip(dict.fromkeys(labels), cycle(TASK_COLOURS)))
 
     @classmethod
     def of(cls, view: MonitorView) -> TaskColours:
@@ -120,7 +118,12 @@ class TaskColours:
         labels += [allocation.task for allocation in view.record.allocations]
         groups = [group for panel in view.panels for group in panel.groups[:_MOST_GROUPS]]
         labels += [curve.label for group in groups for curve in group.curves]
-        return cls(dict.fromkeys(labels))
+        return cls(labels)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, TaskColours) and self._colours == other._colours
+
+    __hash__ = None  # type: ignore[assignment]
 
     def __getitem__(self, label: str) -> Colour:
         return self._colours.get(label, MUTED)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Dict, NamedTuple, Optional, Tuple, Union
+from functools import lru_cache
+from typing import TYPE_CHECKING, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
@@ -15,9 +16,7 @@ from rqt_mrta_py.render.signs import diamond, light
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["HEADINGS", "LEAST_FOR_NOSE", "RobotStamp", "Stamps", "TaskStamp"]
-
-_MOST = 2048
+__all__ = ["HEADINGS", "LEAST_FOR_NOSE", "RobotStamp", "TaskStamp", "print_stamp"]
 
 HEADINGS = 16
 """So many headings are told apart."""
@@ -44,34 +43,21 @@ class TaskStamp(NamedTuple):
     colour: Colour
 
 
-class Stamps:
-    """Makes each sign once and prints it at whole pixels.
+def print_stamp(canvas: Canvas, places: NDArray[np.float64], stamp: Union[RobotStamp, TaskStamp]) -> None:
+    """Print a sign at many places, each at whole pixels; what lies beyond the canvas is cut off.
 
-    A sign depends on nothing but what is asked for, so it does not matter who asked for what before.
+    Args:
+        canvas: drawn upon.
+        places: of the sign's middle (places, 2) [pixels]; later ones cover earlier ones.
+        stamp: which sign.
     """
-
-    def __init__(self) -> None:
-        self._made: Dict[Union[RobotStamp, TaskStamp], _Pixels] = {}
-
-    def print(self, canvas: Canvas, places: NDArray[np.float64], stamp: Union[RobotStamp, TaskStamp]) -> None:
-        """Print a sign at many places; what lies beyond the canvas is cut off.
-
-        Args:
-            canvas: drawn upon.
-            places: of the sign's middle (places, 2) [pixels]; later ones cover earlier ones.
-            stamp: which sign.
-        """
-        made = self._made.get(stamp)
-        if made is None:
-            if len(self._made) >= _MOST:
-                self._made.clear()
-            made = self._made[stamp] = _drawn(stamp)
-        picture, shown = made
-        half = picture.shape[0] // 2
-        for x, y in (np.rint(places).astype(np.intp) - half).tolist():
-            canvas.paste(x, y, picture, shown)
+    picture, shown = _drawn(stamp)
+    half = picture.shape[0] // 2
+    for x, y in (np.rint(places).astype(np.intp) - half).tolist():
+        canvas.paste(x, y, picture, shown)
 
 
+@lru_cache(maxsize=2048)
 def _drawn(stamp: Union[RobotStamp, TaskStamp]) -> _Pixels:
     """Draw a sign with a white border one pixel wide; give it with where it covers what is below."""
     half = math.ceil(stamp.radius + (3.0 if isinstance(stamp, TaskStamp) or stamp.radius < LEAST_FOR_NOSE else 7.0))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from typing import NamedTuple, Tuple
 
 from rqt_mrta_py.model import TaskState
@@ -70,13 +69,13 @@ def tasks_part(page: Page, panel: Box) -> Part:
     """
     tasks = page.view.record.tasks
     height, shown = tasks_rows(panel, len(tasks))
-    states = Counter([task.state for task in tasks])
+    states = [task.state for task in tasks]
     found = []
     for task in foremost_tasks(page.view, shown):
         held = page.open_by_task.get(task.id, ())
         holders = tuple([allocation.robot for allocation in held[:_MOST_HOLDERS]])
         found.append(_Row(task.id, task.state, page.colours[task.id], holders, len(held)))
-    content = _Tasks(panel, tuple(found), len(tasks), height, sum(states[state] for state in ENDED))
+    content = _Tasks(panel, tuple(found), len(tasks), height, sum(states.count(state) for state in ENDED))
     return Part(panel, content, _draw_tasks)
 
 

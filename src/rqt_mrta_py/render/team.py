@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from typing import NamedTuple, Optional, Tuple
 
 from rqt_mrta_py.model import RobotRecord, RobotState
@@ -58,12 +57,12 @@ def team_part(page: Page) -> Part:
     """
     robots = page.view.record.robots
     height, shown = team_rows(len(robots))
-    counter = Counter([robot.state for robot in robots])
+    states = [robot.state for robot in robots]
     content = _Team(
         tuple(_row(page, robot) for robot in foremost_robots(page.view, shown, page.troubled)),
         len(robots),
         height,
-        tuple(counter[state] for state in _COUNTED),
+        tuple(states.count(state) for state in _COUNTED),
     )
     return Part(TEAM, content, _draw_team)
 

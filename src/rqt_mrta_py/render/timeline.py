@@ -27,7 +27,7 @@ from rqt_mrta_py.render.signs import OUTCOME_SIGNS, warning
 from rqt_mrta_py.render.text import Style, shorten, text_width
 from rqt_mrta_py.render.times import TimeAxis, mission_span
 
-__all__ = ["draw_moment", "draw_outcome_legend", "lanes", "timeline_part"]
+__all__ = ["draw_outcome_legend", "lanes", "moment_parts", "timeline_part"]
 
 _BAR_TEXT = Style(12)
 _SIGN = Style(12, bold=True)
@@ -37,6 +37,7 @@ _INCIDENTS = 20.0
 _AXIS = 18.0
 _NAMES = 92.0
 _BETWEEN_SIGNS = 5.0
+_STEP = 16
 _BAD = (Outcome.LOST, Outcome.FAILED)
 _LEAST_FOR_SIGN, _LEAST_FOR_TEXT, _LEAST_FOR_WORDS = 9.0, 11.0, 24.0
 
@@ -116,27 +117,34 @@ def timeline_part(page: Page) -> Part:
     return Part(TIMELINE, content, _draw_timeline)
 
 
-def draw_moment(canvas: Canvas, page: Page, part: Part) -> None:
-    """Draw what goes on since the last whole second, and the line that says how far the mission has come.
+def moment_parts(page: Page, part: Part) -> Tuple[Part, ...]:
+    """Say what goes on since the last whole second, and how far the mission has come; nothing before its start.
 
     Args:
-        canvas: the whole picture's; the part is there.
         page: the mission.
-        part: the one that is there.
+        part: the panel, which lies below.
     """
     if page.view.record.start is None:
-        return
+        return ()
     timeline: _Timeline = part.content
     room, now = _room(), round(timeline.axis(page.view.now))
+    fills: List[Tuple[Box, Colour]] = []
     for index, row in enumerate(timeline.rows):
         shape = _Shape.of(row, room.top + index * timeline.height, timeline.height)
         if row.strips:
             _, since, state = row.strips[-1]
-            canvas.fill(Box(since, shape.strip, now, shape.bottom), STATE_COLOURS[state])
-        for bar in row.bars:
-            if bar.outcome is Outcome.OPEN:
-                canvas.fill(Box(bar.right, shape.top_of(bar.lane), now, shape.top_of(bar.lane + 1)), bar.colour)
-    canvas.fill(Box(now, room.top - _INCIDENTS + 2, now + 1, room.bottom + 3), INK)
+            fills.append((Box(since, shape.strip, now, shape.bottom), STATE_COLOURS[state]))
+        fills += [
+            (Box(bar.right, shape.top_of(bar.lane), now, shape.top_of(bar.lane + 1)), bar.colour)
+            for bar in row.bars
+            if bar.outcome is Outcome.OPEN
+        ]
+    line = Box(now, room.top - _INCIDENTS + 2, now + 1, room.bottom + 3)
+    fills.append((line, INK))
+    first = min(box.left for box, _ in fills)
+    # In few different places, so that a layer has few to look after.
+    left, right = first - first % _STEP, line.right + -line.right % _STEP
+    return (Part(Box(left, line.top, right, line.bottom), tuple(fills), _draw_fills),)
 
 
 def lanes(allocations: Sequence[Allocation]) -> List[Tuple[Allocation, int]]:
@@ -218,6 +226,11 @@ def _incidents(page: Page, axis: TimeAxis) -> Tuple[Tuple[int, int, Severity], .
         if key not in longest or longest[key][1] < right:
             longest[key] = (left, right, incident.severity)
     return tuple(incident for _, incident in sorted(longest.items(), key=lambda item: item[0]))
+
+
+def _draw_fills(canvas: Canvas, fills: Sequence[Tuple[Box, Colour]]) -> None:
+    for box, colour in fills:
+        canvas.fill(box, colour)
 
 
 def _draw_timeline(canvas: Canvas, timeline: _Timeline) -> None:

@@ -59,16 +59,15 @@ def cut_trails(page: Page, place: ArenaMap) -> Tuple[Part, Tuple[Stroke, ...]]:
     return Part(place.box, _Trails(place.floor, tuple(settled)), _draw_trails), tuple(fresh)
 
 
-def draw_fresh_trails(canvas: Canvas, page: Page, place: ArenaMap, fresh: Sequence[Stroke]) -> None:
+def draw_fresh_trails(canvas: Canvas, robots: Sequence[RobotSight], place: ArenaMap, fresh: Sequence[Stroke]) -> None:
     """Draw what is not settled of trails; of more robots than a few, whole trails, thin and all alike.
 
     Args:
         canvas: of the arena.
-        page: the mission.
+        robots: all that there are.
         place: where things are.
         fresh: what was cut off the trails of a few robots.
     """
-    robots = page.view.scene.robots
     if len(robots) <= FEW:
         _draw_strokes(canvas, fresh, place)
         return

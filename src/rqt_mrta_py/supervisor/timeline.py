@@ -52,8 +52,8 @@ class Timeline(Generic[_State, _Interval]):
         Args:
             end: where the open interval is cut [s].
         """
-        present = self._make(self.state, self.since, end)
-        return (*self._closed, present) if self._closed else (present,)
+        present = (self._make(self.state, self.since, end),)
+        return tuple(self._closed) + present if self._closed else present
 
     def fork(self) -> Timeline[_State, _Interval]:
         """Copy the history, so that the copy can go on by itself."""
