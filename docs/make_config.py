@@ -67,8 +67,8 @@ under their own id. The size of an array is what a layer gives, else as many ele
 template says; elements that stand for tasks are as many as the robot's tasks.
 """
 
-TOKEN_RULE = """In names, values and defaults of parameters, and in all texts of launches. A token that stands for nothing where it
-is, and any other text between two `@`, stays as it is.
+TOKEN_RULE = """In names, values and defaults of parameters, and in all texts of launches. A token that stands for
+nothing where it is, and any other text between two `@`, stays as it is.
 """
 
 GRAMMARS = """With the package come, written from the same tables: {files}.

@@ -46,15 +46,13 @@ _TOPIC = ElementForm(
         ElementForm(
             "task_field", "Field with the task's id where this is about a robot.", Content.FIELD, _SUPERVISOR, ours=True
         ),
-        ElementForm(
-            "queue_size", "Messages that a subscriber keeps; 0 keeps all.", Content.WHOLE, "nobody", default="0"
-        ),
+        ElementForm("queue_size", "Messages that a subscriber keeps; 0 keeps all.", Content.WHOLE, "show", default="0"),
         ElementForm("timeout", "How long one message keeps the state fresh.", Content.SECONDS, _SUPERVISOR, "s", "2.0"),
         ElementForm(
             "horizon",
-            "How much of the past is kept; the original does not use it either.",
+            "How much of the past a window shows.",
             Content.SECONDS,
-            "nobody",
+            "show",
             "s",
             "5.0",
         ),
