@@ -1,6 +1,7 @@
 """What is registered, told without importing any plugin.
 
-* ``entries``: architectures, applications and plugins; ``description``: one of them in full
+* ``entries``: architectures and applications, a line each
+* ``package``: all that one package registers, in full; ``description``, ``parameter_rows``: of what this consists
 * ``plugins``: who implements which hook
 * ``taxonomy_filter``: which of them are asked for
 """

@@ -1,53 +1,71 @@
-"""One registered architecture or application in full, as plain data."""
+"""One architecture or application in full, as plain data; ``docs/rooms/app.md`` says what every key holds."""
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple
+from typing import Any, Dict, Iterator, List, Optional, Sequence
 
+from rqt_mrta_py.app.catalogue.parameter_rows import template_rows
 from rqt_mrta_py.model import (
+    ROBOT_TOKEN,
+    TASK_TOKEN,
     ApplicationSpec,
     ArchitectureSpec,
-    ArrayTemplate,
-    ConfigTemplate,
-    MapTemplate,
+    LaunchTemplate,
     MonitoredTopic,
-    ParameterTemplate,
     ScenarioSpec,
     Task,
-    TemplateItem,
 )
 
 __all__ = ["describe_application", "describe_architecture"]
 
-_MEANINGS = ("busy_robots", "idle_robots", "incoming_tasks", "allocated_tasks", "completed_tasks", "failed_tasks")
+_SAYS = {
+    "busy_robots": "robot {} is busy now",
+    "idle_robots": "robot {} is idle now",
+    "incoming_tasks": "task {} has arrived",
+    "allocated_tasks": "task {} is being executed",
+    "completed_tasks": "task {} is done",
+    "failed_tasks": "task {} has failed",
+}
+"""What one message of a topic means, by the element that names the topic."""
 
 
 def describe_architecture(spec: ArchitectureSpec) -> Dict[str, Any]:
-    """Describe an architecture: taxonomy, topics, parameters with types, defaults and tool tips, panels."""
+    """Describe an architecture: taxonomy, topics, parameters, launch files, panels."""
     return {
         "name": spec.package,
         "title": spec.name,
         "taxonomy": str(spec.taxonomy),
-        "topics": [row for meaning in _MEANINGS for row in _topics(meaning, getattr(spec, meaning))],
+        "topics": [row for meaning in _SAYS for row in _topics(meaning, getattr(spec, meaning))],
         "robot_config": spec.robot_config_id,
-        "parameters": [row for config in spec.configs for row in _parameters(config)],
+        "parameters": template_rows(spec.configs),
         "launches": [launch.id for launch in spec.launches],
         "panels": list(spec.widgets),
+        "configs": [config.id for config in spec.configs],
+        "robot_launch": spec.robot_launch_id,
+        "launch_files": [_launch(launch) for launch in spec.launches],
     }
 
 
 def describe_application(
-    spec: ApplicationSpec, tasks: Sequence[Task], scenario: Optional[ScenarioSpec]
+    spec: ApplicationSpec, tasks: Sequence[Task], scenario: Optional[ScenarioSpec], parameters: List[Dict[str, Any]]
 ) -> Dict[str, Any]:
-    """Describe an application: its team, its tasks, the parameters that it sets, what is simulated of it."""
+    """Describe an application.
+
+    Args:
+        spec: as registered.
+        tasks: of its mission.
+        scenario: what is simulated of it; None if nothing.
+        parameters: rows of its parameters.
+    """
     return {
         "name": spec.package,
         "title": spec.name,
         "architecture": spec.architecture,
         "robots": [{"id": robot.id, "tasks": list(robot.tasks)} for robot in spec.robots],
         "tasks": [_task(task) for task in tasks],
-        "parameters": [row for config in spec.configs for row in _parameters(config)],
+        "parameters": parameters,
         "scenario": None if scenario is None else _scenario(scenario),
+        "launch_files": [_launch(launch) for launch in spec.launches],
     }
 
 
@@ -61,30 +79,43 @@ def _topics(meaning: str, topics: Sequence[MonitoredTopic]) -> Iterator[Dict[str
             "timeout": topic.timeout,
             "horizon": topic.horizon,
             "queue_size": topic.queue_size,
+            "robot_field": topic.robot_field or None,
+            "task_field": topic.task_field or None,
+            "says": _says(meaning, topic),
         }
 
 
-def _parameters(config: ConfigTemplate) -> List[Dict[str, Any]]:
-    return [
-        {
-            "config": config.id,
-            "path": path,
-            "type": item.type.value,
-            "value": item.value,
-            "default": item.default,
-            "tool_tip": item.tool_tip,
-        }
-        for path, item in _leaves(config.items, "")
-    ]
+def _says(meaning: str, topic: MonitoredTopic) -> str:
+    """Say what a message means; an id is a field's or, where there is none, a part of the topic's name."""
+    robot = ROBOT_TOKEN if ROBOT_TOKEN in topic.name else ""
+    task = TASK_TOKEN if TASK_TOKEN in topic.name else ""
+    if meaning.endswith("_robots"):
+        told_by, beside, other = topic.field or robot, "task", topic.task_field or task
+    else:
+        told_by, beside, other = topic.task_field or topic.field or task, "robot", topic.robot_field or robot
+    said = _SAYS[meaning].format(f"<{told_by}>")
+    return f"{said}; {beside} <{other}>" if other else said
 
 
-def _leaves(items: Sequence[TemplateItem], above: str) -> Iterator[Tuple[str, ParameterTemplate]]:
-    for item in items:
-        path = f"{above}/{item.name}" if above else item.name
-        if isinstance(item, (MapTemplate, ArrayTemplate)):
-            yield from _leaves(item.items, path)
-        else:
-            yield path, item
+def _launch(launch: LaunchTemplate) -> Dict[str, Any]:
+    return {
+        "id": launch.id,
+        "includes": [
+            {
+                "file": include.file,
+                "arguments": [
+                    {
+                        "name": argument.name,
+                        "value": argument.value,
+                        "default": argument.default,
+                        "mandatory": not argument.default,
+                    }
+                    for argument in include.arguments
+                ],
+            }
+            for include in launch.includes
+        ],
+    }
 
 
 def _task(task: Task) -> Dict[str, Any]:
@@ -99,6 +130,7 @@ def _task(task: Task) -> Dict[str, Any]:
         "predecessors": list(task.predecessors),
         "capabilities": list(task.capabilities),
         "data": dict(task.data),
+        "resources": list(task.resources),
     }
 
 

@@ -1,25 +1,22 @@
-"""What is registered, as ``mrta list`` and ``mrta show`` tell it; imports no plugin."""
+"""What is registered, as ``mrta list`` tells it; imports no plugin."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Dict, List, Optional, Tuple
 
-from rqt_mrta_py.app.catalogue.description import describe_application, describe_architecture
 from rqt_mrta_py.config import (
     Registration,
     RegistrationKind,
     Registry,
     read_application,
     read_architecture,
-    read_scenario,
-    read_tasks,
 )
+from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ApplicationSpec, ArchitectureSpec, Taxonomy
 
-__all__ = ["Entry", "application_of", "architecture_of", "described", "entries"]
+__all__ = ["Entry", "application_of", "architecture_of", "entries"]
 
 
 @dataclass(frozen=True)
@@ -76,36 +73,6 @@ def entries(registry: Registry, kind: RegistrationKind, wanted: Taxonomy) -> Lis
     return sorted(fitting, key=lambda entry: entry.registration.package)
 
 
-def described(registry: Registry, name: str) -> List[Dict[str, Any]]:
-    """Describe everything that a package registers.
-
-    Args:
-        registry: what was found.
-        name: of the package.
-
-    Returns:
-        One description for each registration, in the manifest's order; each begins with its ``kind``.
-
-    Raises:
-        DiscoveryError: nothing is registered under this name.
-        ConfigError: a file cannot be read, with everything that is wrong.
-    """
-    registry.find(name)
-    found = [registration for registration in registry.registrations if registration.package == name]
-    return [{"kind": registration.kind.value, **_description(registration)} for registration in found]
-
-
-def _description(registration: Registration) -> Dict[str, Any]:
-    if registration.kind is RegistrationKind.ARCHITECTURE:
-        return {**describe_architecture(architecture_of(registration)), "file": str(registration.file)}
-    if registration.kind is RegistrationKind.APPLICATION:
-        tasks = read_tasks(*_text(registration.tasks)) if registration.tasks else ()
-        scenario = read_scenario(*_text(registration.scenario)) if registration.scenario else None
-        described_application = describe_application(application_of(registration), tasks, scenario)
-        return {**described_application, "file": str(registration.file)}
-    return {"name": registration.package, "module": registration.plugin, "folder": str(registration.folder)}
-
-
 def _entry(taxonomies: _Taxonomies, registration: Registration) -> Entry:
     problems = registration.problems
     try:
@@ -148,12 +115,4 @@ class _Taxonomies:
 def _content(registration: Registration) -> bytes:
     if registration.problems or registration.file is None:
         raise ConfigError(registration.problems)
-    return _text(registration.file)[0]
-
-
-def _text(path: Path) -> Tuple[bytes, str]:
-    """Read a file; gives its content and the name that problems call it by."""
-    try:
-        return path.read_bytes(), str(path)
-    except OSError as error:
-        raise ConfigError([Problem(str(path), 0, "", f"cannot be read: {error.strerror}")]) from error
+    return read_file(registration.file)

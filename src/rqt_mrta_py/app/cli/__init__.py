@@ -3,7 +3,8 @@
 * ``main``: finds the verb and turns errors into one line and a status; ``parser``: what it reads arguments with
 * ``list``, ``show``, ``run``, ``review``, ``salvage``, ``bench``: a verb each, with ``add_arguments`` and ``main``
 * ``plugin_verbs``: those of plugins
-* ``common``: what verbs share; ``stdout``: data for whoever reads it; ``logs``, ``log_format``: everything else
+* ``common``: what verbs share; ``table``: columns of text; ``show_text``: what ``show`` puts into them
+* ``stdout``: data for whoever reads it; ``logs``, ``log_format``: everything else
 """
 
 from __future__ import annotations

@@ -8,9 +8,10 @@ import math
 import sys
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Sequence
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional
 
 from rqt_mrta_py.app.cli.stdout import standard_output
+from rqt_mrta_py.app.cli.table import print_table
 
 if TYPE_CHECKING:
     from rqt_mrta_py.app.outputs.results import MissionResult
@@ -83,13 +84,6 @@ def add_output_arguments(parser: argparse.ArgumentParser) -> None:
 def print_json(schema: str, value: Mapping[str, Any]) -> None:
     """Print one JSON document that names its schema."""
     print(json.dumps({"schema": f"rqt_mrta_py/{schema}/1", **value}, indent=2, ensure_ascii=False, allow_nan=False))
-
-
-def print_table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
-    """Print columns as wide as their widest cell, the last as it is."""
-    widths = [max(len(row[column]) for row in (head, *rows)) for column in range(len(head))]
-    for row in (head, *rows):
-        print("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip())
 
 
 def complain_about(problems: Iterable[object]) -> None:

@@ -1,71 +1,57 @@
-"""Show one architecture or application in full: topics, parameters, robots, tasks."""
+"""Show one architecture or application in full: topics, parameters, robots, tasks, launch files."""
 
 from __future__ import annotations
 
 import argparse
-from typing import Any, Dict, List
+import sys
+from typing import Any, Mapping
 
-from rqt_mrta_py.app.cli.common import complain_about, print_json, print_table
+from rqt_mrta_py.app.cli.common import complain_about, print_json
 from rqt_mrta_py.app.cli.stdout import standard_output
+from rqt_mrta_py.app.cli.table import print_table
 
 __all__ = ["add_arguments", "main"]
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the verb takes."""
-    parser.add_argument("name", metavar="NAME", help="a registered architecture or application")
+    parser.add_argument("name", metavar="NAME", help="a registered name, a package's folder, or an rqt_mrta.xml")
     parser.add_argument("--json", action="store_true", help="print as JSON")
 
 
 def main(options: argparse.Namespace) -> int:
-    """Print what a package registers; a package that registers several things shows all of them."""
-    from rqt_mrta_py.app.catalogue.entries import described
+    """Print what a package registers; a package that registers several things shows one after the other."""
+    from rqt_mrta_py.app.catalogue.package import described
     from rqt_mrta_py.app.loading.registry import registry_only
+    from rqt_mrta_py.errors import ConfigError
 
     registry = registry_only()
     complain_about(registry.problems)
     found = described(registry, options.name)
+    for description in found.registered:
+        for problem in description.get("problems", ()):
+            print(f"mrta: {problem}", file=sys.stderr)
     with standard_output():
         if options.json:
-            print_json("show", {"name": options.name, "registered": found})
+            print_json("show", {"name": options.name, "registered": found.registered})
         else:
-            for description in found:
+            for place, description in enumerate(found.registered):
+                if place:
+                    print()
                 _print(description)
+    if found.problems:
+        raise ConfigError(found.problems)
     return 0
 
 
-def _print(description: Dict[str, Any]) -> None:
-    """Print simple values first, a line each, then every list of records as a table."""
-    tables: Dict[str, List[Dict[str, Any]]] = {}
-    for key, value in description.items():
-        if isinstance(value, list) and value and isinstance(value[0], dict):
-            tables[key] = value
-        elif isinstance(value, dict):
-            tables.update({f"{key}: {part}": rows for part, rows in value.items() if _is_table(rows)})
-            simple = ", ".join(f"{part} {_cell(item)}" for part, item in value.items() if not _is_table(item))
-            print(f"{key}: {simple}")
-        else:
-            print(f"{key}: {_cell(value)}")
-    for title, rows in tables.items():
-        print(f"\n{title}")
-        columns = [column for column in rows[0] if any(_cell(row[column]) for row in rows)]
-        print_table(
-            [column.upper() for column in columns], [[_cell(row[column]) for column in columns] for row in rows]
-        )
-    print()
+def _print(description: Mapping[str, Any]) -> None:
+    from rqt_mrta_py.app.cli.show_text import facts, sections
 
-
-def _is_table(value: Any) -> bool:
-    return isinstance(value, list) and bool(value) and isinstance(value[0], dict)
-
-
-def _cell(value: Any) -> str:
-    if value is None or value is False or value in ([], {}):
-        return ""
-    if value is True:
-        return "yes"
-    if isinstance(value, list):
-        return ", ".join(_cell(item) for item in value)
-    if isinstance(value, dict):
-        return ", ".join(f"{key} {_cell(item)}" for key, item in value.items())
-    return f"{value:g}" if isinstance(value, float) else str(value)
+    for name, value in facts(description):
+        print(f"{name}: {value}".rstrip())
+    for section in sections(description):
+        print(f"\n{section.title}")
+        if section.rows:
+            print_table(section.head, section.rows)
+        if section.note:
+            print(section.note)
