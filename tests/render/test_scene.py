@@ -266,3 +266,31 @@ def test_path_stays_in_bounded_memory_and_in_order_and_ends_at_the_newest(places
         assert points[-1] == last
     assert all(time >= len(places) - 1 - 20.0 for time, _, _ in path.recent(float(len(places) - 1)))
     assert path.whole()[0] == (0.0, *places[0])
+
+
+def test_scene_gives_the_same_sight_until_the_robot_is_heard_again() -> None:
+    scene = tracker(trail=10.0)
+    scene.hear(pose("robot1", 1.0, 0.0, 0.0))
+    before = scene.view(1.0).robots
+    scene.hear(pose("robot2", 1.5, 1.0, 0.0))
+    after = scene.view(2.0).robots
+    assert after[0] is before[0]
+    assert after[1] != before[1]
+    scene.hear(pose("robot1", 2.5, 0.0, 0.0, yaw=1.0))
+    turned = scene.view(2.5).robots[0].pose
+    assert turned is not None
+    assert turned.yaw == pytest.approx(1.0)
+
+
+def test_scene_trail_of_a_robot_not_heard_any_more_forgets_too() -> None:
+    scene = tracker(trail=10.0)
+    for second in range(5):
+        scene.hear(pose("robot1", float(second), float(second), 0.0))
+
+    def times(now: float) -> List[float]:
+        return [time for time, _, _ in scene.view(now).robots[0].trail]
+
+    assert times(4.0) == [0.0, 1.0, 2.0, 3.0, 4.0]
+    assert times(12.5) == [3.0, 4.0]
+    assert times(99.0) == [4.0]
+    assert times(11.0) == [1.0, 2.0, 3.0, 4.0]
