@@ -20,7 +20,7 @@ from rqt_mrta_py.model import (
 
 __all__ = ["write_configs", "write_launches", "write_topics", "write_widgets"]
 
-_DEEPEST = 100
+_DEEPEST = 250
 
 
 def write_topics(parent: Branch, name: str, topics: Sequence[MonitoredTopic]) -> None:
