@@ -21,7 +21,7 @@ from rqt_mrta_py.config.xml.text import line_of, parse_xml
 from rqt_mrta_py.errors import Problem
 from rqt_mrta_py.wording import accepted, shown
 
-__all__ = ["HOSTS", "MANIFEST", "ROSBUILD_MANIFEST", "Manifest", "read_manifest"]
+__all__ = ["HOSTS", "MANIFEST", "ROSBUILD_MANIFEST", "Manifest", "parse_manifest", "read_manifest"]
 
 HOSTS = ("rqt_mrta", "rqt_mrta_py")
 """Packages that can be depended on, and names of export tags."""
@@ -66,8 +66,21 @@ def read_manifest(path: Path) -> Manifest:
     Raises:
         ConfigError: it cannot be read, is not XML that is accepted here, or names no package.
     """
+    return parse_manifest(read_file(path), path)
+
+
+def parse_manifest(raw: bytes, path: Path) -> Manifest:
+    """Read the content of a manifest.
+
+    Args:
+        raw: the whole file.
+        path: of the file.
+
+    Raises:
+        ConfigError: as of ``read_manifest``.
+    """
     problems = Problems(str(path))
-    root = parse_xml(read_file(path), str(path))
+    root = parse_xml(raw, str(path))
     _drop_namespace(root)
     if root.tag != "package":
         problems.add(line_of(root), str(root.tag), "is not the root of a manifest; accepted: package")
@@ -114,6 +127,8 @@ class _Reader:
         )
 
     def _with_files(self, application: Registration) -> Registration:
+        if not self._files and not self._file_problems:
+            return application
         scenario, tasks = (self._files[name][0] if name in self._files else None for name in ("scenario", "tasks"))
         problems = (*application.problems, *self._file_problems)
         return replace(application, scenario=scenario, tasks=tasks, problems=problems)
@@ -177,13 +192,16 @@ class _Reader:
 
         if not value:
             return None, problem("is empty; give a file, such as ${prefix}/rqt_mrta.xml")
-        relative = value.replace("${prefix}", str(self._folder)).replace("{prefix}", str(self._folder))
-        path = Path(os.path.normpath(self._folder / relative))
-        if self._folder not in path.parents or "\0" in value:
+        folder = str(self._folder)
+        # Texts, not paths: of thousands of packages these lines are felt.
+        file = os.path.normpath(
+            os.path.join(folder, value.replace("${prefix}", folder).replace("{prefix}", folder))  # noqa: PTH118
+        )
+        if not file.startswith(os.path.join(folder, "")):  # noqa: PTH118
             return None, problem(f"must name a file within the package (got {shown(value)}); begin with ${{prefix}}/")
-        if not path.is_file():
-            return path, problem(f"names a file that does not exist (got {shown(value)}): {path}")
-        return path, []
+        if not os.path.isfile(file):  # noqa: PTH113
+            return Path(file), problem(f"names a file that does not exist (got {shown(value)}): {file}")
+        return Path(file), []
 
     def _note(self, tag: etree._Element, attribute: str, message: str) -> None:
         element = f"export/{tag.tag}/@{attribute}" if attribute else f"export/{tag.tag}"

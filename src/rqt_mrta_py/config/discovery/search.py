@@ -17,7 +17,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Set, Tuple
 
-from rqt_mrta_py.config.discovery.manifest import HOSTS, MANIFEST, ROSBUILD_MANIFEST, Manifest, read_manifest
+from rqt_mrta_py.config.discovery.manifest import HOSTS, MANIFEST, ROSBUILD_MANIFEST, Manifest, parse_manifest
 from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind, Registry
 from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.errors import ConfigError, Problem
@@ -107,11 +107,11 @@ class _Search:
 
     def crawl(self, folder: Path) -> None:
         """Descend from a folder; a package is a leaf, links are followed, each folder is visited once."""
-        pending = [folder]
+        pending = [str(folder)]
         while pending:
             here = pending.pop()
             try:
-                status = here.stat()
+                status = os.stat(here)  # noqa: PTH116 - paths of all folders below would be felt
                 with os.scandir(here) as entries:
                     found = sorted(entries, key=lambda entry: entry.name)
             except OSError:
@@ -122,11 +122,11 @@ class _Search:
                 continue
             self._visited.add(identity)
             if MANIFEST in marks:
-                self._take(here / MANIFEST)
+                self._take(Path(here, MANIFEST))
             elif ROSBUILD_MANIFEST in marks:
-                self._take(here / ROSBUILD_MANIFEST)
+                self._take(Path(here, ROSBUILD_MANIFEST))
             elif _STOP not in marks:
-                pending.extend(Path(entry.path) for entry in reversed(found) if _is_open_folder(entry))
+                pending.extend(entry.path for entry in reversed(found) if _is_open_folder(entry))
 
     def share(self, folder: Path) -> None:
         """Take the packages right below a share folder; such folders are large, so nothing else is looked at."""
@@ -186,7 +186,7 @@ def _skim(path: Path) -> Manifest:
         name = _NAME.search(_COMMENT.sub(b"", raw))
         if name is not None:
             return Manifest(name.group(1).decode("ascii"), path.parent)
-    return read_manifest(path)
+    return parse_manifest(raw, path)
 
 
 def _is_file(entry: os.DirEntry[str]) -> bool:
