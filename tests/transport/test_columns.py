@@ -84,7 +84,12 @@ _SPAN = st.floats(-(2**31), 2**31 - 1) | st.sampled_from([-1e-10, -0.25, 1.99999
 
 REAL = any_of(numbers(_REAL, np.float64), numbers(_WHOLE, np.int64), numbers(_SINGLE, ">f4"), shared(_REAL))
 SINGLE = any_of(numbers(_SINGLE, np.float64), numbers(_WHOLE, np.int64), shared(_SINGLE))
-TIME = any_of(numbers(_TIME, np.float64), numbers(st.integers(0, 2**32 - 1), np.int64), shared(_TIME))
+TIME = any_of(
+    numbers(_TIME, np.float64),
+    numbers(st.floats(0, 2**31, width=32), np.float32),
+    numbers(st.integers(0, 2**32 - 1), np.int64),
+    shared(_TIME),
+)
 SPAN = any_of(numbers(_SPAN, np.float64), shared(_SPAN))
 SEQ = any_of(numbers(st.integers(0, 2**32 - 1), np.int64), shared(st.integers(0, 2**32 - 1)))
 POSE = {
