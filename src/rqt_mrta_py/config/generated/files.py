@@ -9,6 +9,7 @@ from rqt_mrta_py.config.generated.marks import MARK, MARK_AWAY
 from rqt_mrta_py.config.generated.parameter_text import parameter_text
 from rqt_mrta_py.config.parameters.resolving import ResolvedParameters
 from rqt_mrta_py.config.parameters.team import (
+    FileReader,
     ParameterChecks,
     Team,
     config_name,
@@ -27,7 +28,9 @@ _SMALLEST, _LARGEST = -(2**31), 2**31 - 1
 """What the parameter server's whole numbers may be."""
 
 
-def generated_files(team: Team, checks: Optional[ParameterChecks] = None) -> Dict[str, str]:
+def generated_files(
+    team: Team, checks: Optional[ParameterChecks] = None, read: FileReader = read_if_there
+) -> Dict[str, str]:
     """Write parameter files and, under the application's own architecture, launch files.
 
     At home the rqt_mrta.xml is what counts, and no file in ``config`` is looked at. Under another architecture the
@@ -36,6 +39,7 @@ def generated_files(team: Team, checks: Optional[ParameterChecks] = None) -> Dic
     Args:
         team: application, architecture, tasks.
         checks: asks plugins about the parameters; None: they are not asked.
+        read: gives the YAML files, where they count.
 
     Returns:
         Text by path relative to the package, sorted.
@@ -47,7 +51,7 @@ def generated_files(team: Team, checks: Optional[ParameterChecks] = None) -> Dic
     files: Dict[str, str] = {}
     folder = parameter_folder(team).relative_to(team.application_file.parent).as_posix()
     try:
-        for name, resolved in _parameters(team, checks):
+        for name, resolved in _parameters(team, checks, no_files if team.at_home else read):
             path = f"{folder}/{name}.yaml"
             if path in files:
                 message = f"{path} is the file of two configs; rename a robot or a config"
@@ -65,9 +69,10 @@ def generated_files(team: Team, checks: Optional[ParameterChecks] = None) -> Dic
     return {path: files[path] for path in sorted(files)}
 
 
-def _parameters(team: Team, checks: Optional[ParameterChecks]) -> Iterator[Tuple[str, ResolvedParameters]]:
+def _parameters(
+    team: Team, checks: Optional[ParameterChecks], read: FileReader
+) -> Iterator[Tuple[str, ResolvedParameters]]:
     """Give the parameters of each file by its name."""
-    read = no_files if team.at_home else read_if_there
     robots = resolve_team(team, checks=checks, read=read)
     if team.template.id:
         for robot, resolved in robots.items():
