@@ -62,7 +62,7 @@ SAID: Dict[str, Tuple[str, ...]] = {
     ),
     "config_id_twice.xml": ("5: configs/config_1/id: 'p' names two configs; the first one is in line 4",),
     "config_id_with_space.xml": ("4: configs/config_0/id: must not contain a space (got 'my params')",),
-    "config_unnumbered.xml": ("4: configs/config: is not expected here; accepted: config_<number>",),
+    "config_unnumbered.xml": ("4: configs/config: bears no number; call it config_0, the next one config_1 and so on",),
     "param_misspelt.xml": ("5: configs/config_0/parm_0: is not expected here; nearest is 'param_<number>'",),
     "param_name_twice.xml": ("6: configs/config_0/param_1/name: 'a' stands twice here; the first one is in line 5",),
     "param_number_twice.xml": ("6: configs/config_0/params_0: number 0 is taken by param_0 in line 5; count on",),

@@ -189,8 +189,11 @@ class Element:
         """Note as problems what nobody asked for: elements, attributes and, in a container, text."""
         for node in self._unread.values():
             name = str(node.tag)
-            wanted = accepted(_NUMBER.sub("_<number>", name), self._known)
-            self._problems.add(line_of(node), self._at(name), f"is not expected here; {wanted}")
+            if f"{name}_<number>" in self._known:
+                message = f"bears no number; call it {name}_0, the next one {name}_1 and so on"
+            else:
+                message = f"is not expected here; {accepted(_NUMBER.sub('_<number>', name), self._known)}"
+            self._problems.add(line_of(node), self._at(name), message)
         for name in self._unread_attributes:
             self.problem(f"@{name}", f"is not expected here; {accepted(name, self._known_attributes)}")
         if not text_allowed:
