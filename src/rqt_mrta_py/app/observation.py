@@ -6,6 +6,7 @@ bag of a run gives what the run itself reported.
 
 from __future__ import annotations
 
+import logging
 from typing import Dict, List, Mapping, Optional, Sequence
 
 from rqt_mrta_py.app.guard import GuardedPanel, made
@@ -28,8 +29,11 @@ from rqt_mrta_py.model import Event, Mission, MissionRecord
 from rqt_mrta_py.render import SceneTracker
 from rqt_mrta_py.supervisor import Supervisor
 from rqt_mrta_py.transport import Dispatcher
+from rqt_mrta_py.wording import accepted
 
 __all__ = ["CURVE_WINDOW", "Observation"]
+
+_log = logging.getLogger("rqt_mrta_py.app")
 
 CURVE_WINDOW = 60.0
 """How much of the past the curves of a monitor picture show [s]."""
@@ -144,6 +148,10 @@ def _interpreter(mission: Mission, manager: PluginManager) -> Optional[Allocatio
 def _panels(mission: Mission, manager: PluginManager) -> List[GuardedPanel]:
     factories: Dict[str, MonitorPanelFactory] = manager.registered("mrta_register_monitor_panels")
     names = [name for name in mission.architecture.widgets if name in factories]
+    missing = [name for name in mission.architecture.widgets if name not in factories]
+    if missing:
+        what = f"{', '.join(missing)}; {accepted(missing[0], sorted(factories))}"
+        _log.warning("architecture=%s names panels that no plugin registers: %s", mission.architecture.package, what)
     setup = PanelSetup(mission)
     needs = ("subscriptions", "hear", "view")
     return [GuardedPanel(name, made(f"monitor panel {name}", factories[name], setup, *needs)) for name in names]
