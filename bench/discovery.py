@@ -57,12 +57,13 @@ class DiscoveryRow(NamedTuple):
         return None if self.rospack is None else self.ours / self.rospack
 
 
-def measure_discovery(packages: int, folder: Path) -> List[DiscoveryRow]:
+def measure_discovery(packages: int, folder: Path, turns: int = _TURNS) -> List[DiscoveryRow]:
     """Measure trees of which none, every tenth and every package registers an application.
 
     Args:
         packages: in each tree.
         folder: for the trees, which are removed again.
+        turns: of which the best counts.
 
     Returns:
         One row for each tree.
@@ -71,11 +72,12 @@ def measure_discovery(packages: int, folder: Path) -> List[DiscoveryRow]:
         RuntimeError: the answers differ, so that a comparison would mean nothing.
     """
     return [
-        _measure(packages, round(packages * share), folder / f"tree_{place}") for place, share in enumerate(_SHARES)
+        _measure(packages, round(packages * share), folder / f"tree_{place}", turns)
+        for place, share in enumerate(_SHARES)
     ]
 
 
-def _measure(packages: int, registering: int, tree: Path) -> DiscoveryRow:
+def _measure(packages: int, registering: int, tree: Path, turns: int) -> DiscoveryRow:
     _write_tree(packages, registering, tree)
     environment = {
         **os.environ,
@@ -92,7 +94,7 @@ def _measure(packages: int, registering: int, tree: Path) -> DiscoveryRow:
     if shutil.which(asking[0]) is not None:
         ways["rospack"] = lambda: _lines(asking, environment, ending=str(tree))
     best: Dict[str, float] = {}
-    for _ in range(_TURNS):
+    for _ in range(turns):
         for name, way in ways.items():
             start = time.perf_counter()
             found = way()
@@ -148,11 +150,12 @@ def main(argv: Optional[Sequence[str]] = None) -> None:
     """
     parser = argparse.ArgumentParser(prog="python -m bench.discovery", description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--packages", metavar="N", type=int, default=1000, help="in each tree (default: 1000)")
+    parser.add_argument("--turns", metavar="N", type=int, default=_TURNS, help=f"the best counts (default: {_TURNS})")
     options = parser.parse_args(argv)
-    if options.packages < 1:
-        parser.error("--packages must be at least 1")
+    if min(options.packages, options.turns) < 1:
+        parser.error("--packages and --turns must be at least 1")
     with tempfile.TemporaryDirectory() as folder:
-        rows = measure_discovery(options.packages, Path(folder))
+        rows = measure_discovery(options.packages, Path(folder), options.turns)
     print(f"Seconds to find what {options.packages} packages register")
     print(f"{'registering':>11} {'discover':>9} {'rospack':>9} {'ratio':>6} {'mrta list':>9}")
     for row in rows:
