@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from rqt_mrta_py.config.files import read_file, write_whole
+from rqt_mrta_py.config.files import read_file, write_together, write_whole
 from rqt_mrta_py.errors import ConfigError
 
 
@@ -32,3 +32,71 @@ def test_read_file_says_why_it_cannot(tmp_path: Path) -> None:
         read_file(tmp_path)
 
     assert str(caught.value) == f"{tmp_path}: cannot be read: Is a directory"
+
+
+def test_files_are_written_and_removed_together(tmp_path: Path) -> None:
+    (tmp_path / "old.yaml").write_text("a: 1\n")
+    (tmp_path / "gone.yaml").write_text("b: 1\n")
+    write_together(
+        {
+            tmp_path / "old.yaml": "a: 2\n",
+            tmp_path / "config" / "deep" / "new.yaml": "c: ä\n",
+            tmp_path / "gone.yaml": None,
+            tmp_path / "never.yaml": None,
+        }
+    )
+    assert {str(path.relative_to(tmp_path)): path.read_text("utf-8") for path in tmp_path.rglob("*.yaml")} == {
+        "old.yaml": "a: 2\n",
+        "config/deep/new.yaml": "c: ä\n",
+    }
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["config", "old.yaml"]
+
+
+def test_nothing_changes_when_one_of_the_files_cannot_be_written(tmp_path: Path) -> None:
+    (tmp_path / "a.yaml").write_text("a: 1\n")
+    (tmp_path / "taken").mkdir()
+    with pytest.raises(ConfigError) as caught:
+        write_together(
+            {
+                tmp_path / "a.yaml": "a: 2\n",
+                tmp_path / "new" / "b.yaml": "b: 2\n",
+                tmp_path / "taken": "c: 2\n",
+            }
+        )
+    assert str(caught.value) == f"{tmp_path / 'taken'}: cannot be written: Is a directory; nothing was changed"
+    assert (tmp_path / "a.yaml").read_text() == "a: 1\n"
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.yaml", "taken"]
+
+
+@pytest.mark.parametrize("failing", [1, 2, 3, 4, 5])
+def test_files_are_put_back_when_a_renaming_fails(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, failing: int
+) -> None:
+    """Five renamings replace two files and make one; each of them fails once."""
+    before = {"a": "1", "b": "1"}
+    for name, text in before.items():
+        (tmp_path / name).write_text(text)
+    renamed = Path.replace
+    calls = []
+
+    def replace(self: Path, target: Path) -> Path:
+        calls.append(target)
+        if len(calls) == failing:
+            raise OSError(28, "No space left on device")
+        return renamed(self, target)
+
+    monkeypatch.setattr(Path, "replace", replace)
+    with pytest.raises(ConfigError, match="No space left on device; nothing was changed"):
+        write_together({tmp_path / "a": "2", tmp_path / "b": "2", tmp_path / "sub" / "c": "2"})
+    assert {path.name: path.read_text() for path in tmp_path.rglob("*") if path.is_file()} == before
+    assert not (tmp_path / "sub").exists()
+
+
+def test_writing_goes_through_a_link_and_keeps_the_rights_of_the_file(tmp_path: Path) -> None:
+    (tmp_path / "source.xml").write_text("old")
+    (tmp_path / "source.xml").chmod(0o664)
+    (tmp_path / "link.xml").symlink_to(tmp_path / "source.xml")
+    write_together({tmp_path / "link.xml": "new"})
+    assert (tmp_path / "link.xml").is_symlink()
+    assert (tmp_path / "source.xml").read_text() == "new"
+    assert (tmp_path / "source.xml").stat().st_mode & 0o777 == 0o664
