@@ -22,12 +22,13 @@ from rqt_mrta_py.model import (
 MILEAGE = Subscription("mileage", "std_msgs/Float64", ("data",))
 MOLE = RobotModel("mole", "differential", 0.4, 0.3, 0.2, 0.25, 5.0, 0.05, 0.25, 0.7, 1.0, 0.1)
 CLAIM = MonitoredTopic("/@robot_id@/claim/@task_id@", "std_msgs/String", timeout=5.0)
+_NOSE = SensorSetup("nose", "smell", 10.0)
 SCENARIO = ScenarioSpec(
     arena=Arena(-3.0, -3.0, 3.0, 3.0),
     obstacles=(),
     robots=(
-        RobotSetup("mole1", "mole", Pose(1.5, 0.0), (SensorSetup("odometer", "mileage", 10.0),)),
-        RobotSetup("mole2", "mole", Pose(-1.5, 0.0)),
+        RobotSetup("mole1", "mole", Pose(1.5, 0.0), (SensorSetup("odometer", "mileage", 10.0), _NOSE)),
+        RobotSetup("mole2", "mole", Pose(-1.5, 0.0), (_NOSE,)),
     ),
     world="burrow",
     planner="tunnels",

@@ -40,6 +40,8 @@ from rqt_mrta_py.hooks import (
     SensorReading,
     Situation,
     Subscription,
+    TeamMoment,
+    TeamOutgoing,
     Verb,
     hookimpl,
 )
@@ -154,6 +156,21 @@ class Odometer:
 
     def sense(self, moment: SensorMoment) -> Sequence[Outgoing]:
         return [Outgoing(self.topic, "std_msgs/Float64", {"data": moment.truth.x})]
+
+
+class Noses:
+    """Each mole smells how many moles smell with it."""
+
+    rays = None
+
+    def __init__(self, contexts: Sequence[SensorContext]) -> None:
+        self.topic = contexts[0].setup.topic
+        self.robots = [context.robot_id for context in contexts]
+
+    def sense(self, moment: TeamMoment) -> Sequence[TeamOutgoing]:
+        robots = tuple(self.robots[member] for member in moment.members)
+        moles = {"data": np.full(len(robots), float(len(robots)))}
+        return [TeamOutgoing(self.topic, "std_msgs/Float64", robots, moles)]
 
 
 class Farewells:
@@ -320,6 +337,10 @@ class Stranger:
     @hookimpl
     def mrta_register_sensors(self) -> Mapping[str, Any]:
         return {"odometer": Odometer}
+
+    @hookimpl
+    def mrta_register_team_sensors(self) -> Mapping[str, Any]:
+        return {"nose": Noses}
 
     @hookimpl
     def mrta_register_incident_rules(self) -> Mapping[str, Any]:

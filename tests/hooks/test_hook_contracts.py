@@ -143,6 +143,11 @@ def test_hook_mrta_register_sensors_publishes_in_the_namespace_of_its_robot(stor
     assert [fields["data"] for fields in said(story, "/mole1/mileage")] == [1.5] * 16
 
 
+def test_hook_mrta_register_team_sensors_publishes_in_the_namespace_of_each_robot(story: Story) -> None:
+    assert [fields["data"] for fields in said(story, "/mole1/smell")] == [2.0] * 16
+    assert [fields["data"] for fields in said(story, "/mole2/smell")] == [2.0] * 16
+
+
 def test_hook_mrta_register_incident_rules_puts_up_incidents(story: Story) -> None:
     (incident,) = story.record.incidents
     assert (incident.rule, incident.start, incident.text) == ("any_allocation", 1.5, "somebody works in Garden")

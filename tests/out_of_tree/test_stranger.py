@@ -154,6 +154,12 @@ def test_hook_mrta_register_sensors(run: Run) -> None:
     assert len(run.trace("/mole1/mileage")) == 31
 
 
+def test_hook_mrta_register_team_sensors(run: Run) -> None:
+    """Of two moles the first lies lower, and is told so as often as the other."""
+    assert run.trace("/mole1/rank") == [1] * 31
+    assert run.trace("/mole2/rank") == [2] * 31
+
+
 def test_hook_mrta_register_planners(run: Run) -> None:
     """Every way is 42 m long, and behaviours ask for it."""
     assert set(run.trace("/mole1/claim/heap")) == {"42.0"}

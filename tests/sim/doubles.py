@@ -52,10 +52,14 @@ class ScriptedRandom:
     def __init__(self, normals: Iterable[float] = ()) -> None:
         self._normals: Iterator[float] = iter(normals)
 
-    def standard_normal(self, size: Optional[int] = None):
+    def standard_normal(self, size: Optional[int] = None, out: Optional[np.ndarray] = None):
+        if out is not None:
+            out[:] = self.standard_normal(out.size)
+            return out
         if size is None:
             return next(self._normals, 0.0)
         return np.array([next(self._normals, 0.0) for _ in range(size)])
 
-    def random(self, size: int) -> np.ndarray:
-        return np.full(size, 0.5)
+    def random(self, out: np.ndarray) -> np.ndarray:
+        out[:] = 0.5
+        return out

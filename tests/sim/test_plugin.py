@@ -10,7 +10,7 @@ from rqt_mrta_py.sim.bullet import BulletWorld
 from rqt_mrta_py.sim.planar import PlanarWorld
 from rqt_mrta_py.sim.radio import LossyLink, PerfectLink
 from rqt_mrta_py.sim.robot_models import DIFF_DRIVE, OMNI_DRIVE
-from rqt_mrta_py.sim.sensors import Localiser, Odometry, RangeFinder
+from rqt_mrta_py.sim.sensors import Bumper, Localiser, Odometry, RangeFinder
 from tests.sim.radio.support import link_setup
 from tests.sim.sensors.support import context
 
@@ -23,9 +23,12 @@ def test_plugin_keeps_the_contract_and_registers_what_the_room_brings():
     (worlds,) = manager.hook.mrta_register_worlds()
     (models,) = manager.hook.mrta_register_robot_models()
     (sensors,) = manager.hook.mrta_register_sensors()
+    (team_sensors,) = manager.hook.mrta_register_team_sensors()
     assert {name: type(factory()) for name, factory in worlds.items()} == {"bullet": BulletWorld, "planar": PlanarWorld}
     assert models == {"diff_drive": DIFF_DRIVE, "omni_drive": OMNI_DRIVE}
     kinds = {kind: type(factory(context(kind, "topic"))) for kind, factory in sensors.items()}
+    assert kinds == {"bumper": Bumper}
+    kinds = {kind: type(factory([context(kind, "topic")])) for kind, factory in team_sensors.items()}
     assert kinds == {"localiser": Localiser, "odometry": Odometry, "range_finder": RangeFinder}
 
 

@@ -17,7 +17,7 @@ def test_label_tells_what_happened_to_whom():
         False,
     )
     assert outgoing.fields == {
-        "header": {"stamp": 61.0, "frame_id": ""},
+        "header": {"stamp": 61.0},
         "kind": "robot_stops",
         "robot_id": "robot3",
         "task_id": "",
@@ -110,7 +110,7 @@ DIG = Task("dig", "dig_hole", Pose(1.0, 2.0))
 def test_operators_order_carries_the_task_that_appears():
     order = order_of(ScenarioEvent(1.0, KIND.TASK_APPEARS, task="dig"), DIG, 2.0)
     assert (order.topic, order.type, order.latched) == ("/mrta/task_progress", "rqt_mrta_py/TaskProgress", False)
-    assert order.fields["header"] == {"stamp": 2.0, "frame_id": ""}
+    assert order.fields["header"] == {"stamp": 2.0}
     assert (order.fields["task_id"], order.fields["robot_id"]) == ("dig", "")
     assert yaml.safe_load(order.fields["task_yaml"]) == {"id": "dig", "kind": "dig_hole", "place": {"x": 1.0, "y": 2.0}}
 

@@ -27,10 +27,12 @@ from rqt_mrta_py.sim.plugin import (
     mrta_register_links,
     mrta_register_robot_models,
     mrta_register_sensors,
+    mrta_register_team_sensors,
     mrta_register_worlds,
 )
 from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
 from tests.sim.doubles import StillWorld
+from tests.sim.expanding import by_robot
 
 KIND = ScenarioEventKind
 STOPS, RETURNS = ScenarioEventKind.ROBOT_STOPS, ScenarioEventKind.ROBOT_RETURNS
@@ -48,6 +50,7 @@ def simulation(spec, world=None, **changes):
     known = {
         "models": mrta_register_robot_models(),
         "sensors": mrta_register_sensors(),
+        "team_sensors": mrta_register_team_sensors(),
         "worlds": {"still": lambda: StillWorld() if world is None else world, **mrta_register_worlds()},
         "links": mrta_register_links(),
         "link_random": lambda sender, receiver: np.random.default_rng([*f"{sender} {receiver}".encode()]),
@@ -62,7 +65,7 @@ def play(simulated, ticks):
     for tick in range(ticks):
         now = tick / RATE + 1
         happened = simulated.begin_tick(tick, now)
-        speakers = [robot_id for robot_id, _ in simulated.sense(tick, now)]
+        speakers = list(by_robot(simulated.sense(tick, now)))
         simulated.act(now)
         simulated.step()
         played.append((list(happened), speakers))
@@ -82,9 +85,9 @@ def test_simulation_builds_its_world_from_the_scenario():
 
 def test_simulation_gives_what_robots_say_in_the_order_of_the_scenario():
     simulated = simulation(scenario())
-    said = list(simulated.sense(0, 1.0))
-    assert [robot_id for robot_id, _ in said] == ["robot1", "robot2"]
-    assert [outgoing.topic for outgoing in said[1][1]] == ["odom", "pose", "/tf"]
+    said = by_robot(simulated.sense(0, 1.0))
+    assert list(said) == ["robot1", "robot2"]
+    assert [outgoing.topic for outgoing in said["robot2"]] == ["pose", "odom", "/tf"]
     assert list(simulated.sense(1, 1.05)) == []
 
 
@@ -204,7 +207,7 @@ def test_robot_stamps_what_it_measures_by_its_own_clock():
     stamps = {}
     for tick in (0, 2):
         simulated.begin_tick(tick, tick / RATE + 1)
-        for robot_id, outgoing in simulated.sense(tick, tick / RATE + 1):
+        for robot_id, outgoing in by_robot(simulated.sense(tick, tick / RATE + 1)).items():
             stamps[robot_id, tick] = {message.fields["header"]["stamp"] for message in outgoing[:2]}
             stamps[robot_id, tick].add(outgoing[2].fields["transforms"][0]["header"]["stamp"])
     assert stamps == {
@@ -317,6 +320,37 @@ def test_what_happens_to_tasks_changes_nothing_in_the_world():
     assert happened == list(events)
     assert speakers == ["robot1", "robot2"]
     assert world.frozen == []
+
+
+def test_each_sensor_measures_at_its_own_rate():
+    sensors = (
+        SensorSetup("odometry", "odom", 10.0),
+        SensorSetup("range_finder", "scan", 5.0),
+        SensorSetup("localiser", "pose", 20.0),
+    )
+    robots = (RobotSetup("robot1", "diff_drive", Pose(1.0, 0.0), sensors),)
+    simulated = simulation(scenario(robots=robots), StillWorld(seen=[1.5]))
+    heard = [
+        [outgoing.topic for messages in by_robot(simulated.sense(tick, 1.0)).values() for outgoing in messages]
+        for tick in range(5)
+    ]
+    full = ["pose", "odom", "scan", "/tf"]
+    assert heard == [full, ["pose"], ["pose", "odom", "/tf"], ["pose"], full]
+
+
+def test_simulation_tells_the_problems_of_all_sensors_of_a_robot_at_once():
+    sensors = (
+        SensorSetup("odometry", "odom", 50.0),
+        SensorSetup("localiser", "pose", 10.0, {"position_noise": -1}),
+        SensorSetup("range_finder", "scan", 10.0, {"rays": 2.5}),
+    )
+    with pytest.raises(SimError) as caught:
+        simulation(scenario(robots=(RobotSetup("robot1", "diff_drive", Pose(0.0, 0.0), sensors),)))
+    assert str(caught.value).splitlines() == [
+        "robot robot1: sensor localiser on pose: parameter position_noise: must be a number at least 0 (got -1)",
+        "robot robot1: sensor odometry on odom: rate must be above 0, at most the control rate of 20 Hz (got 50.0)",
+        "robot robot1: sensor range_finder on scan: parameter rays: must be a whole number from 1 to 3600 (got 2.5)",
+    ]
 
 
 @settings(max_examples=40, deadline=None)
@@ -495,5 +529,5 @@ def test_noise_of_a_robot_does_not_depend_on_the_other_robots():
     both = simulation(scenario())
     alone = simulation(replace(scenario(), robots=scenario().robots[:1]))
     for tick in range(0, 20, 2):
-        first, *_ = both.sense(tick, tick / RATE + 1)
-        assert [first] == list(alone.sense(tick, tick / RATE + 1))
+        said = by_robot(both.sense(tick, tick / RATE + 1))
+        assert {"robot1": said["robot1"]} == by_robot(alone.sense(tick, tick / RATE + 1))

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import re
 from collections import abc
-from typing import Mapping, Optional, Pattern, Tuple
+from typing import Iterator, Mapping, Optional, Pattern, Sequence, Tuple
 
 from rqt_mrta_py.hooks.benchmark import Benchmark
 from rqt_mrta_py.hooks.robot_model import RobotModel
-from rqt_mrta_py.hooks.stream import Outgoing
+from rqt_mrta_py.hooks.stream import Outgoing, TeamOutgoing
 from rqt_mrta_py.hooks.verb import Verb
 from rqt_mrta_py.wording import shown
 
-__all__ = ["message_breach", "registration_breach"]
+__all__ = ["message_breach", "registration_breach", "team_message_breach"]
 
 _TYPES: Mapping[str, type] = {
     "mrta_register_benchmarks": Benchmark,
@@ -76,3 +76,49 @@ def message_breach(message: object) -> Optional[str]:
     if not isinstance(fields, abc.Mapping):
         return f"answered an Outgoing on {topic!r} with fields {shown(fields)}; accepted is a mapping"
     return None
+
+
+def team_message_breach(messages: object, robots: Sequence[str]) -> Optional[str]:
+    """Find what is wrong with messages that a plugin's part wants robots to publish, before their type is looked at.
+
+    Args:
+        messages: what the part answered.
+        robots: who may publish, in order.
+
+    Returns:
+        A phrase that goes on after the part's name; None if all is well.
+    """
+    if not isinstance(messages, TeamOutgoing):
+        return f"answered {shown(messages)}; accepted is TeamOutgoing"
+    topic, type_name, speakers, columns = messages
+    if not (isinstance(topic, str) and isinstance(type_name, str)):
+        return f"answered a TeamOutgoing on {shown(topic)} of type {shown(type_name)}; accepted are two texts"
+    if not isinstance(columns, abc.Mapping):
+        return f"answered a TeamOutgoing on {topic!r} with columns {shown(columns)}; accepted is a mapping"
+    if speakers is not robots and not (isinstance(speakers, tuple) and _are_some_of(speakers, robots)):
+        return (
+            f"answered a TeamOutgoing on {topic!r} of robots {shown(speakers)}; accepted is a tuple of those that "
+            f"measured, in order, each once: {shown(tuple(robots))}"
+        )
+    for path, column in columns.items():
+        rows = None if isinstance(column, str) else _rows_of(column)
+        if rows is not None and rows != len(speakers):
+            return (
+                f"answered a TeamOutgoing on {topic!r} with {rows} rows of {shown(path)} for {len(speakers)} robots; "
+                "accepted are one row a robot, or one value for all"
+            )
+    return None
+
+
+def _are_some_of(speakers: Tuple[object, ...], robots: Sequence[str]) -> bool:
+    """Tell whether all speakers are among the robots, in the same order."""
+    rest: Iterator[object] = iter(robots)
+    return speakers == robots or all(speaker in rest for speaker in speakers)
+
+
+def _rows_of(column: object) -> Optional[int]:
+    """Give how many rows a column has; None for one value that all share."""
+    shape = getattr(column, "shape", None)
+    if shape is not None:
+        return int(shape[0]) if shape else None
+    return len(column) if isinstance(column, abc.Sized) else None

@@ -32,7 +32,7 @@ from rqt_mrta_py.hooks.observer import MessageObserverFactory
 from rqt_mrta_py.hooks.parameters import ParameterProblem
 from rqt_mrta_py.hooks.picture import MonitorPanelFactory, Renderer
 from rqt_mrta_py.hooks.robot_model import RobotModel
-from rqt_mrta_py.hooks.sensor import SensorFactory
+from rqt_mrta_py.hooks.sensor import SensorFactory, TeamSensorFactory
 from rqt_mrta_py.hooks.statistic import Statistic
 from rqt_mrta_py.hooks.verb import Verb
 from rqt_mrta_py.hooks.world import WorldFactory
@@ -133,9 +133,20 @@ class HookSpecs:
     def mrta_register_sensors(self) -> Mapping[str, SensorFactory]:  # type: ignore[empty-body]
         """Name the sensors that robots can be given in simulation.
 
-        Called: once, before a run starts.
+        Called: once, before a run starts; each factory once for each robot that carries such a sensor.
         Returns: factory by the kind that scenarios use.
         Combined: joined; the first registration of a kind wins.
+        An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_register_team_sensors(self) -> Mapping[str, TeamSensorFactory]:  # type: ignore[empty-body]
+        """Name the sensors that measure on many simulated robots at once.
+
+        Called: once, before a run starts; each factory once for all robots that carry such a sensor set up alike.
+        Returns: factory by the kind that scenarios use.
+        Combined: joined; the first registration of a kind wins, but a kind that ``mrta_register_sensors`` names too is
+        taken from there: this is how ours are replaced by the simplest means.
         An exception: stops the command.
         """
 

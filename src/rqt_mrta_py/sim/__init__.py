@@ -4,17 +4,16 @@
 * ``planar``: PlanarWorld, thousands of robots seen from above, in NumPy
 * ``world_checks``: what every world of this room refuses; ``world_answers``: what any world may answer
 * ``robot_models``: the kinds of robots that this room brings
-* ``sensors``: range finder, odometry, localiser; one file each
-* ``simulated_robot``: one robot's hardware as a node: sensors, transforms, ``cmd_vel``
-* ``mount``: a sensor on a robot; rays of many cast together
-* ``transforms``: ``/tf`` from odometry and localiser
+* ``sensors``: range finder, odometry, localiser, bumper; one file each
+* ``sensing``: sensors on robots: when they measure, rays cast together, ``/tf``
+* ``simulated_robot``: one robot's driver and what it is commanded
 * ``schedule``: rates in ticks
+* ``angles``, ``picking``: of many robots at once
 * ``placement``, ``requirements``: what is wrong with a scenario, before anything is built
 * ``radio``: how messages between robots travel
 * ``clocks``, ``faults``: what befell robots
 * ``scenario_events``: labels and operators' orders
 * ``simulation``: world, robots and scenario events, tick by tick
-* ``messages``: fields of standard messages
 * ``plugin``: registers all this by the same hooks that strangers use
 """
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Mapping
+from typing import Mapping, Sequence
 
 from rqt_mrta_py.hooks import (
     Link,
@@ -12,12 +12,20 @@ from rqt_mrta_py.hooks import (
     Sensor,
     SensorContext,
     SensorFactory,
+    TeamSensor,
+    TeamSensorFactory,
     World,
     WorldFactory,
     hookimpl,
 )
 
-__all__ = ["mrta_register_links", "mrta_register_robot_models", "mrta_register_sensors", "mrta_register_worlds"]
+__all__ = [
+    "mrta_register_links",
+    "mrta_register_robot_models",
+    "mrta_register_sensors",
+    "mrta_register_team_sensors",
+    "mrta_register_worlds",
+]
 
 
 @hookimpl
@@ -36,7 +44,13 @@ def mrta_register_robot_models() -> Mapping[str, RobotModel]:
 
 @hookimpl
 def mrta_register_sensors() -> Mapping[str, SensorFactory]:
-    """Name the sensors of this room."""
+    """Name the sensors of this room that measure robot by robot."""
+    return {"bumper": _bumper}
+
+
+@hookimpl
+def mrta_register_team_sensors() -> Mapping[str, TeamSensorFactory]:
+    """Name the sensors of this room that measure on many robots at once."""
     return {"localiser": _localiser, "odometry": _odometry, "range_finder": _range_finder}
 
 
@@ -58,22 +72,28 @@ def _planar() -> World:
     return PlanarWorld()
 
 
-def _localiser(context: SensorContext) -> Sensor:
+def _bumper(context: SensorContext) -> Sensor:
+    from rqt_mrta_py.sim.sensors import Bumper
+
+    return Bumper(context)
+
+
+def _localiser(contexts: Sequence[SensorContext]) -> TeamSensor:
     from rqt_mrta_py.sim.sensors import Localiser
 
-    return Localiser(context)
+    return Localiser(contexts)
 
 
-def _odometry(context: SensorContext) -> Sensor:
+def _odometry(contexts: Sequence[SensorContext]) -> TeamSensor:
     from rqt_mrta_py.sim.sensors import Odometry
 
-    return Odometry(context)
+    return Odometry(contexts)
 
 
-def _range_finder(context: SensorContext) -> Sensor:
+def _range_finder(contexts: Sequence[SensorContext]) -> TeamSensor:
     from rqt_mrta_py.sim.sensors import RangeFinder
 
-    return RangeFinder(context)
+    return RangeFinder(contexts)
 
 
 def _lossy(setup: LinkSetup) -> Link:

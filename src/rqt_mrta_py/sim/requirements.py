@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Collection, Dict, Iterable, Iterator, Mapping
 
-from rqt_mrta_py.hooks import LinkFactory, RobotModel, SensorFactory, WorldFactory
+from rqt_mrta_py.hooks import LinkFactory, RobotModel, WorldFactory
 from rqt_mrta_py.model import ScenarioEventKind, ScenarioSpec
 from rqt_mrta_py.sim.faults import FREEZING
-from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
+from rqt_mrta_py.sim.sensing.mount import Mount, where_it_is
 from rqt_mrta_py.wording import accepted
 
 __all__ = ["blind_sensors", "missing_capabilities", "missing_links", "missing_names"]
@@ -16,10 +16,10 @@ __all__ = ["blind_sensors", "missing_capabilities", "missing_links", "missing_na
 def missing_names(
     scenario: ScenarioSpec,
     models: Mapping[str, RobotModel],
-    sensors: Mapping[str, SensorFactory],
+    sensors: Collection[str],
     worlds: Mapping[str, WorldFactory],
 ) -> Iterator[str]:
-    """Find the world, models and sensors that a scenario names but nobody registers.
+    """Find the world, models and kinds of sensors that a scenario names but nobody registers.
 
     Yields:
         One line for each, in file order, with what there is.
@@ -68,19 +68,17 @@ def missing_capabilities(
             yield _lack(who, scenario.world, capability, capabilities)
 
 
-def blind_sensors(
-    scenario: ScenarioSpec, robots: Iterable[SimulatedRobot], capabilities: Collection[str]
-) -> Iterator[str]:
+def blind_sensors(scenario: ScenarioSpec, mounts: Iterable[Mount], capabilities: Collection[str]) -> Iterator[str]:
     """Find the sensors that want rays of a world that casts none.
 
     Yields:
-        One line for each, in file order, with what the world can do.
+        One line for each sensor and robot, with what the world can do.
     """
     if "ranges" not in capabilities:
-        for robot in robots:
-            for mount in robot.mounts:
-                if mount.rays is not None:
-                    yield _lack(mount.where, scenario.world, "ranges", capabilities)
+        for mount in mounts:
+            if mount.rays is not None:
+                for carrier in mount.carriers:
+                    yield _lack(where_it_is(carrier.context), scenario.world, "ranges", capabilities)
 
 
 def _lack(who: str, name: str, capability: str, capabilities: Collection[str]) -> str:

@@ -9,7 +9,6 @@ import yaml
 from rqt_mrta_py.config import dump_task
 from rqt_mrta_py.hooks import Outgoing
 from rqt_mrta_py.model import Progress, ScenarioEvent, ScenarioEventKind, ScenarioSpec, Task
-from rqt_mrta_py.sim.messages import header
 from rqt_mrta_py.sim.radio import radio_of
 
 __all__ = ["in_order", "label_of", "order_of"]
@@ -39,7 +38,7 @@ def label_of(event: ScenarioEvent, now: float) -> Outgoing:
     """
     parameters = yaml.safe_dump(dict(event.parameters), allow_unicode=True) if event.parameters else ""
     fields = {
-        "header": header(now, ""),
+        "header": {"stamp": now},
         "kind": event.kind.value,
         "robot_id": event.robot or "",
         "task_id": event.task or "",
@@ -65,7 +64,7 @@ def order_of(event: ScenarioEvent, task: Optional[Task], now: float) -> Optional
     progress, detail = _ORDERS[event.kind]
     appears = event.kind is ScenarioEventKind.TASK_APPEARS
     fields = {
-        "header": header(now, ""),
+        "header": {"stamp": now},
         "task_id": event.task or "",
         "robot_id": event.robot or "",
         "progress": progress.code,

@@ -1,29 +1,13 @@
-"""The hardware of one simulated robot, as a node ``/<robot>/driver``."""
+"""The hardware of one simulated robot, as a node ``/<robot>/driver``: what it is commanded to do."""
 
 from __future__ import annotations
 
 import math
 from operator import itemgetter
-from typing import TYPE_CHECKING, Callable, List, Mapping, Optional, Sequence, Tuple
+from typing import Callable, Optional, Sequence, Tuple
 
-from rqt_mrta_py.errors import SimError
-from rqt_mrta_py.hooks import (
-    Heard,
-    Outgoing,
-    RobotModel,
-    SensorContext,
-    SensorFactory,
-    SensorMoment,
-    Subscription,
-    World,
-)
-from rqt_mrta_py.model import Pose, RobotSetup, Twist
-from rqt_mrta_py.sim.mount import Mount, mount
-from rqt_mrta_py.sim.transforms import TransformSource
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+from rqt_mrta_py.hooks import Heard, RobotModel, Subscription
+from rqt_mrta_py.model import Twist
 
 __all__ = ["COMMAND_TIMEOUT", "SimulatedRobot"]
 
@@ -32,109 +16,83 @@ COMMAND_TIMEOUT = 0.5
 
 _CMD_VEL = Subscription("cmd_vel", "geometry_msgs/Twist", ("linear/x", "linear/y", "angular/z"))
 _velocity = itemgetter(*_CMD_VEL.fields)
-_ROUNDING = 1e-6
+_TOO_OLD = COMMAND_TIMEOUT + 1e-6
+"""From when on a command is too old, whatever rounding did to its age [s]."""
 _STILL = Twist()
 
 
 class SimulatedRobot:
-    """Hears ``cmd_vel``, runs its sensors at their rates, publishes what they measure and ``/tf``.
+    """Hears ``cmd_vel`` and tells what to drive.
+
+    Most robots go on in most ticks as they were commanded; whoever drives them need only ask again when ``has_news``,
+    and when ``is_obeying`` does not tell any more whether the command is young enough.
 
     Attributes:
         id: the robot's.
         model: what it is like.
-        mounts: its sensors, in file order.
         node: resolved name of its node.
         is_stopped: True while it stands still and is silent.
-        speed_factor: share of what it is commanded that it drives at, from 0 to 1.
-
-    Args:
-        setup: the robot in the scenario.
-        model: what it is like.
-        sensors: factories by kind; every kind of the setup is among them.
-        control_rate: ticks a second [Hz].
-        random: this robot's own generator for sensors.
-
-    Raises:
-        SimError: sensors are set up wrongly; one line for each problem.
+        commanded_at: when the newest command was heard, on the robot's clock [s].
+        is_obeying: whether the newest command was young enough when ``command`` was asked last.
+        has_news: whether something befell it since then that may change what to drive.
     """
 
-    def __init__(
-        self,
-        setup: RobotSetup,
-        model: RobotModel,
-        sensors: Mapping[str, SensorFactory],
-        control_rate: int,
-        random: np.random.Generator,
-    ) -> None:
-        self.id = setup.id
+    def __init__(self, robot_id: str, model: RobotModel) -> None:
+        """Make a robot that stands still.
+
+        Args:
+            robot_id: its id.
+            model: what it is like.
+        """
+        self.id = robot_id
         self.model = model
-        self.node = f"/{setup.id}/driver"
+        self.node = f"/{robot_id}/driver"
         self.is_stopped = False
-        self.speed_factor = 1.0
-        self.mounts: Sequence[Mount] = _mount_all(setup, model, sensors, control_rate, random)
-        self._transforms = TransformSource(setup.id)
+        self.commanded_at = -math.inf
+        self.is_obeying = False
+        self.has_news = True
+        self._speed_factor = 1.0
         self._asked: Optional[Tuple[float, ...]] = None
         self._command = _STILL
-        self._commanded_at = -math.inf
+
+    @property
+    def speed_factor(self) -> float:
+        """Share of what it is commanded that it drives at, from 0 to 1."""
+        return self._speed_factor
+
+    @speed_factor.setter
+    def speed_factor(self, factor: float) -> None:
+        self._speed_factor = factor
+        self.has_news = True
 
     def listeners(self) -> Sequence[Tuple[Subscription, Callable[[Heard], None]]]:
         """Say what to hear, in the robot's namespace, and who hears it."""
         return ((_CMD_VEL, self._hear_command),)
 
-    def due(self, tick: int) -> Sequence[Mount]:
-        """Give the sensors that measure at a tick, counted from 0, in file order; none while it is stopped."""
-        if self.is_stopped:
-            return ()
-        return [one for one in self.mounts if one.schedule.is_due(tick)]
-
-    def sense(
-        self,
-        now: float,
-        truth: Pose,
-        due: Sequence[Mount],
-        seen: Mapping[Mount, NDArray[np.float64]],
-        world: World,
-    ) -> Sequence[Outgoing]:
-        """Run sensors.
-
-        Args:
-            now: the time [s].
-            truth: the robot's true pose in the frame ``map``.
-            due: which of its sensors, in file order.
-            seen: distances along the rays of those that want some [m].
-            world: where it is.
-
-        Returns:
-            What the robot publishes, in the order of its sensors, transforms last.
-        """
-        measured: List[Outgoing] = []
-        unseen: Optional[SensorMoment] = None
-        for one in due:
-            if one.rays is None:
-                unseen = unseen or SensorMoment(now, truth, None, world)
-                measured.extend(one.measure(unseen))
-            else:
-                measured.extend(one.measure(SensorMoment(now, truth, seen[one], world)))
-        measured.extend(self._transforms.derive(now, measured))
-        return measured
+    def needs_asking(self, now: float) -> bool:
+        """Tell whether ``command`` may answer something else than the last time, at a time [s]."""
+        return self.has_news or (now - self.commanded_at > _TOO_OLD) is self.is_obeying
 
     def command(self, now: float) -> Twist:
         """Give the velocity to drive at a time [s], within the model's limits."""
-        if self.is_stopped or now - self._commanded_at > COMMAND_TIMEOUT + _ROUNDING:
+        self.has_news = False
+        self.is_obeying = not now - self.commanded_at > _TOO_OLD
+        if self.is_stopped or not self.is_obeying:
             return _STILL
-        if self.speed_factor < 1.0:
-            return _scaled(self._command, self.speed_factor)
+        if self._speed_factor < 1.0:
+            return _scaled(self._command, self._speed_factor)
         return self._command
 
     def stop(self) -> None:
         """Fall silent and stand still; what was commanded is forgotten."""
-        self.is_stopped = True
+        self.is_stopped = self.has_news = True
         self._asked = None
         self._command = _STILL
 
     def resume(self) -> None:
-        """Sense and obey again."""
+        """Obey again."""
         self.is_stopped = False
+        self.has_news = True
 
     def _hear_command(self, heard: Heard) -> None:
         """Take a command; one that is not finite means to stand still."""
@@ -144,7 +102,8 @@ class SimulatedRobot:
         if asked != self._asked:
             self._asked = asked
             self._command = _limit(self.model, *asked) if math.isfinite(sum(asked)) else _STILL
-        self._commanded_at = heard.receipt
+            self.has_news = True
+        self.commanded_at = heard.receipt
 
 
 def _scaled(twist: Twist, factor: float) -> Twist:
@@ -156,24 +115,3 @@ def _limit(model: RobotModel, vx: float, vy: float, wz: float) -> Twist:
     speed = math.hypot(vx, vy)
     scale = model.max_speed / speed if speed > model.max_speed else 1.0
     return Twist(vx * scale, vy * scale, max(-model.max_turn_rate, min(model.max_turn_rate, wz)))
-
-
-def _mount_all(
-    setup: RobotSetup,
-    model: RobotModel,
-    factories: Mapping[str, SensorFactory],
-    control_rate: int,
-    random: np.random.Generator,
-) -> List[Mount]:
-    """Mount sensors in file order."""
-    mounts: List[Mount] = []
-    problems: List[str] = []
-    for sensor in setup.sensors:
-        context = SensorContext(setup.id, model, sensor, setup.start, random)
-        try:
-            mounts.append(mount(context, factories[sensor.kind], control_rate))
-        except SimError as error:
-            problems.append(str(error))
-    if problems:
-        raise SimError("\n".join(problems))
-    return mounts

@@ -2,33 +2,34 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, AbstractSet, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, AbstractSet, Dict, Iterable, Iterator, Mapping, Optional, Sequence
 
 from rqt_mrta_py.config.scenario.events import event_problems
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import (
     LinkFactory,
-    Outgoing,
     PlacedRobot,
     RobotModel,
     SensorFactory,
+    TeamSensorFactory,
     World,
     WorldFactory,
     WorldSetup,
 )
 from rqt_mrta_py.model import Pose, ScenarioEvent, ScenarioSpec, Twist
 from rqt_mrta_py.sim.faults import Faults
-from rqt_mrta_py.sim.mount import cast_together
 from rqt_mrta_py.sim.placement import placement_problems
 from rqt_mrta_py.sim.radio import LinkRandom, PerfectLink, Radio, build_links
 from rqt_mrta_py.sim.requirements import blind_sensors, missing_capabilities, missing_links, missing_names
 from rqt_mrta_py.sim.scenario_events import in_order
 from rqt_mrta_py.sim.schedule import first_tick_at
+from rqt_mrta_py.sim.sensing import Said, Sensing
 from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
 from rqt_mrta_py.sim.world_answers import capabilities_of, poses_of
 
 if TYPE_CHECKING:
     import numpy as np
+    from numpy.typing import NDArray
 
 __all__ = ["Simulation"]
 
@@ -44,13 +45,15 @@ class Simulation:
     Attributes:
         scenario: what is simulated.
         robots: by id, in the scenario's order.
+        sensing: their sensors.
         world: where they are; built.
         radio: between them; to be asked for each delivery.
 
     Args:
         scenario: what to simulate.
         models: robot models by name.
-        sensors: sensor factories by kind.
+        sensors: factories of sensors of one robot by kind.
+        team_sensors: factories of sensors of many robots by kind; taken where ``sensors`` has none of this kind.
         worlds: world factories by name.
         generators: one for each robot's sensors, by robot id.
         links: link factories by kind of radio; None: the perfect one alone.
@@ -66,6 +69,7 @@ class Simulation:
         scenario: ScenarioSpec,
         models: Mapping[str, RobotModel],
         sensors: Mapping[str, SensorFactory],
+        team_sensors: Mapping[str, TeamSensorFactory],
         worlds: Mapping[str, WorldFactory],
         generators: Mapping[str, np.random.Generator],
         links: Optional[Mapping[str, LinkFactory]] = None,
@@ -75,23 +79,26 @@ class Simulation:
         if scenario.control_rate < 1:
             raise SimError(f"scenario: control_rate must be at least 1 Hz (got {scenario.control_rate!r})")
         links = {"perfect": PerfectLink.of} if links is None else links
-        _raise_if_any([*missing_names(scenario, models, sensors, worlds), *event_problems(scenario)])
+        kinds = {**team_sensors, **sensors}
+        _raise_if_any([*missing_names(scenario, models, kinds, worlds), *event_problems(scenario)])
         _raise_if_any(missing_links(scenario, links))
         placed = tuple(PlacedRobot(robot.id, models[robot.model], robot.start) for robot in scenario.robots)
         _raise_if_any(placement_problems(scenario.arena, scenario.obstacles, placed))
-        self.robots = _build_robots(scenario, models, sensors, generators)
+        self.robots = {robot.id: SimulatedRobot(robot.id, models[robot.model]) for robot in scenario.robots}
+        self.sensing = Sensing(scenario, models, sensors, team_sensors, generators)
         self._names = list(self.robots)
         self._events = in_order(scenario)
         self._next_event = 0
         self._clock_offsets: Mapping[str, float] = {}
         self._driven: Dict[str, Twist] = {}
-        self._places: Optional[Mapping[str, Pose]] = None
+        self._truth: Optional[NDArray[np.float64]] = None
+        self._poses: Optional[Mapping[str, Pose]] = None
         built = build_links(scenario, self._events, links, self._pose, link_random or _no_chance)
         self.radio = Radio(built.first)
         self.world: World = worlds[scenario.world]()
         try:
             capabilities = capabilities_of(scenario.world, self.world)
-            blind = blind_sensors(scenario, self.robots.values(), capabilities)
+            blind = blind_sensors(scenario, self.sensing.mounts, capabilities)
             _raise_if_any([*missing_capabilities(scenario, models, capabilities), *blind])
             self.world.reset(WorldSetup(scenario.arena, scenario.obstacles, placed, 1.0 / scenario.control_rate))
         except BaseException:
@@ -116,43 +123,40 @@ class Simulation:
                 break
             self._faults.happen(event, now)
             self._next_event += 1
+        if self._next_event > first:
+            self.sensing.leave_out(self._faults.stopped)
         self._clock_offsets = self._faults.clock_offsets(now)
         return self._events[first : self._next_event]
 
-    def sense(self, tick: int, now: float) -> Iterator[Tuple[str, Sequence[Outgoing]]]:
-        """Let one robot after the other sense, for what a whole team senses is soon too much for a processor's cache.
+    def sense(self, tick: int, now: float) -> Iterator[Said]:
+        """Let sensors measure; those of robots that are stopped do not.
 
         Args:
             tick: of the mission, from 0.
             now: the time [s].
 
         Yields:
-            What each robot's driver publishes, in the scenario's order; robots that say nothing are left out.
+            What drivers publish: sensors in the order of kind, topic, rate and parameters, transforms last.
         """
-        due = [(robot, mounts) for robot in self.robots.values() for mounts in (robot.due(tick),) if mounts]
-        if not due:
-            return
-        seen = cast_together(self.world, self.scenario.world, (mount for _, mounts in due for mount in mounts))
-        places, offsets = self._where_they_are(), self._clock_offsets
-        for robot, mounts in due:
-            name = robot.id
-            outgoing = robot.sense(now + offsets.get(name, 0.0), places[name], mounts, seen, self.world)
-            if outgoing:
-                yield name, outgoing
+        due = self.sensing.due(tick)
+        if due:
+            yield from self.sensing.sense(due, self._times(now), self._where_they_are(), self.world)
 
     def act(self, now: float) -> None:
         """Command the world what robots were commanded, at a time [s]; what they do already is not said again."""
         offsets, driven = self._clock_offsets, self._driven
         for name, robot in self.robots.items():
-            twist = robot.command(now + offsets.get(name, 0.0))
-            if driven.get(name) is not twist:
-                driven[name] = twist
-                self.world.command(name, "base", twist)
+            time = now + offsets[name] if name in offsets else now
+            if robot.needs_asking(time):
+                twist = robot.command(time)
+                if driven.get(name) is not twist:
+                    driven[name] = twist
+                    self.world.command(name, "base", twist)
 
     def step(self) -> None:
         """Let one tick pass in the world."""
         self.world.step()
-        self._places = None
+        self._truth = self._poses = None
 
     def stopped(self, robot_id: str) -> bool:
         """Tell whether a robot stands still and silent; its host must be silent too."""
@@ -181,40 +185,34 @@ class Simulation:
 
     def _pose(self, robot_id: str) -> Optional[Pose]:
         """Give a robot's true pose; None for anything else."""
-        return self._where_they_are().get(robot_id)
+        if self._poses is None:
+            self._poses = {robot: Pose(*row) for robot, row in zip(self._names, self._where_they_are().tolist())}
+        return self._poses.get(robot_id)
 
-    def _where_they_are(self) -> Mapping[str, Pose]:
+    def _where_they_are(self) -> NDArray[np.float64]:
         """Give every robot's true pose; the world is asked once a tick.
 
         Raises:
             SimError: the world answers what are no poses.
         """
-        if self._places is None:
-            self._places = poses_of(self.scenario.world, self.world, self._names)
-        return self._places
+        if self._truth is None:
+            self._truth = poses_of(self.scenario.world, self.world, self._names)
+        return self._truth
+
+    def _times(self, now: float) -> NDArray[np.float64]:
+        """Give the time on each robot's clock [s]."""
+        import numpy as np
+
+        offsets = self._clock_offsets
+        return (
+            np.array([now + offsets.get(name, 0.0) for name in self._names])
+            if offsets
+            else np.full(len(self._names), now)
+        )
 
 
 def _no_chance(sender: str, receiver: str) -> np.random.Generator:
     raise ValueError(f"no chance was given to the radio from {sender!r} to {receiver!r}")
-
-
-def _build_robots(
-    scenario: ScenarioSpec,
-    models: Mapping[str, RobotModel],
-    sensors: Mapping[str, SensorFactory],
-    generators: Mapping[str, np.random.Generator],
-) -> Dict[str, SimulatedRobot]:
-    robots: Dict[str, SimulatedRobot] = {}
-    problems: List[str] = []
-    for setup in scenario.robots:
-        try:
-            robots[setup.id] = SimulatedRobot(
-                setup, models[setup.model], sensors, scenario.control_rate, generators[setup.id]
-            )
-        except SimError as error:
-            problems.append(str(error))
-    _raise_if_any(problems)
-    return robots
 
 
 def _raise_if_any(problems: Iterable[str]) -> None:

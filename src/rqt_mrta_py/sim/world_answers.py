@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Dict, FrozenSet, Sequence, Tuple
+from typing import TYPE_CHECKING, FrozenSet, Sequence, Tuple
 
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import RayPattern, World
-from rqt_mrta_py.model import Pose
 from rqt_mrta_py.wording import shown
 
 if TYPE_CHECKING:
@@ -32,7 +31,7 @@ def capabilities_of(name: str, world: World) -> FrozenSet[str]:
     raise SimError(f"world {name}: capabilities answered {shown(told)}; accepted is a frozenset of texts")
 
 
-def poses_of(name: str, world: World, robots: Sequence[str]) -> Dict[str, Pose]:
+def poses_of(name: str, world: World, robots: Sequence[str]) -> NDArray[np.float64]:
     """Ask a world where its robots are.
 
     Args:
@@ -41,7 +40,7 @@ def poses_of(name: str, world: World, robots: Sequence[str]) -> Dict[str, Pose]:
         robots: all of its robots, in the setup's order.
 
     Returns:
-        True poses in the frame ``map``, by robot.
+        True poses in the frame ``map``: x, y [m] and yaw [rad], shape (robots, 3).
 
     Raises:
         SimError: it answers another array than (robots, 3), or no finite poses.
@@ -53,7 +52,7 @@ def poses_of(name: str, world: World, robots: Sequence[str]) -> Dict[str, Pose]:
     if not finite.all():
         first = int(finite.argmin())
         raise SimError(f"world {name}: poses answered {poses[first].tolist()} for {robots[first]}; accepted are finite")
-    return {robot: Pose(*place) for robot, place in zip(robots, poses.tolist())}
+    return poses
 
 
 def ranges_of(name: str, world: World, robots: Sequence[str], rays: RayPattern) -> NDArray[np.float64]:

@@ -6,39 +6,39 @@ import numpy as np
 import pytest
 
 from rqt_mrta_py.errors import SimError
-from rqt_mrta_py.hooks import SensorMoment
 from rqt_mrta_py.model import Pose
-from rqt_mrta_py.sim.messages import pose_of
 from rqt_mrta_py.sim.sensors import Localiser
-from tests.sim.doubles import ScriptedRandom, StillWorld
-from tests.sim.sensors.support import context
+from tests.sim.doubles import ScriptedRandom
+from tests.sim.sensors.support import context, moment, pose_in
 
 TRUTH = Pose(1.0, -2.0, 3.0)
 
 
 def locate(sensor):
-    (outgoing,) = sensor.sense(SensorMoment(4.0, TRUTH, None, StillWorld()))
+    (outgoing,) = sensor.sense(moment(4.0, [TRUTH]))
     return outgoing
 
 
 def test_localiser_publishes_a_pose_in_the_map():
-    outgoing = locate(Localiser(context("localiser", "pose", position_noise=0.0, heading_noise=0.0)))
+    outgoing = locate(Localiser([context("localiser", "pose", position_noise=0.0, heading_noise=0.0)]))
     assert (outgoing.topic, outgoing.type) == ("pose", "geometry_msgs/PoseStamped")
-    assert outgoing.fields["header"] == {"stamp": 4.0, "frame_id": "map"}
-    assert outgoing.fields["pose"]["position"] == {"x": 1.0, "y": -2.0}
-    assert outgoing.fields["pose"]["orientation"]["z"] == pytest.approx(math.sin(1.5))
-    assert outgoing.fields["pose"]["orientation"]["w"] == pytest.approx(math.cos(1.5))
+    assert outgoing.robots == ("robot1",)
+    columns = outgoing.columns
+    assert (columns["header/stamp"].tolist(), columns["header/frame_id"]) == ([4.0], "map")
+    assert (columns["pose/position/x"].tolist(), columns["pose/position/y"].tolist()) == ([1.0], [-2.0])
+    assert columns["pose/orientation/z"] == pytest.approx([math.sin(1.5)])
+    assert columns["pose/orientation/w"] == pytest.approx([math.cos(1.5)])
 
 
 def test_localiser_adds_noise_to_each_part():
     random = ScriptedRandom([1.0, -2.0, 3.0])
-    pose = pose_of(locate(Localiser(context("localiser", "pose", random=random))).fields["pose"])
+    pose = pose_in(locate(Localiser([context("localiser", "pose", random=random)])).columns)
     assert (pose.x, pose.y, pose.yaw) == (pytest.approx(1.01), pytest.approx(-2.02), pytest.approx(3.03))
 
 
 def test_localiser_noise_has_the_deviations_asked_for_and_no_memory():
-    sensor = Localiser(context("localiser", "pose", position_noise=0.05, heading_noise=0.02))
-    poses = [pose_of(locate(sensor).fields["pose"]) for _ in range(4000)]
+    sensor = Localiser([context("localiser", "pose", position_noise=0.05, heading_noise=0.02)])
+    poses = [pose_in(locate(sensor).columns) for _ in range(4000)]
     x = np.array([pose.x for pose in poses])
     assert np.mean(x) == pytest.approx(1.0, abs=0.004)
     assert np.std(x) == pytest.approx(0.05, rel=0.05)
@@ -49,9 +49,28 @@ def test_localiser_noise_has_the_deviations_asked_for_and_no_memory():
 
 def test_localiser_names_a_parameter_that_is_no_number():
     with pytest.raises(SimError) as caught:
-        Localiser(context("localiser", "pose", position_noise=math.nan, heading_noise=True))
+        Localiser([context("localiser", "pose", position_noise=math.nan, heading_noise=True)])
     where = "robot robot1: sensor localiser on pose: parameter"
     assert str(caught.value).splitlines() == [
         f"{where} position_noise: must be a number at least 0 (got nan)",
         f"{where} heading_noise: must be a number at least 0 (got True)",
     ]
+
+
+def test_localiser_of_a_robot_is_the_same_alone_and_in_a_team():
+    robots = [("robot1", Pose(1.0, -2.0, 3.0)), ("robot2", Pose(-4.0, 0.5, -1.0)), ("robot3", Pose(0.0, 0.0, 0.0))]
+
+    def contexts(*places):
+        return [
+            context("localiser", "pose", robot=robots[place][0], random=np.random.default_rng(place))
+            for place in places
+        ]
+
+    team = Localiser(contexts(0, 1, 2))
+    (first,) = team.sense(moment(1.0, [robots[0][1], robots[2][1]], members=[0, 2]))
+    (second,) = team.sense(moment(2.0, [pose for _, pose in robots]))
+    assert (first.robots, second.robots) == (("robot1", "robot3"), ("robot1", "robot2", "robot3"))
+    for place, (_, truth) in enumerate(robots):
+        alone = Localiser(contexts(place))
+        said = [alone.sense(moment(1.0, [truth]))[0] for _ in range(2 if place != 1 else 1)]
+        assert pose_in(second.columns, row=place) == pose_in(said[-1].columns)

@@ -6,21 +6,19 @@ import numpy as np
 import pytest
 
 from rqt_mrta_py.errors import SimError
-from rqt_mrta_py.hooks import SensorMoment
 from rqt_mrta_py.model import Pose
-from rqt_mrta_py.sim.messages import pose_of
 from rqt_mrta_py.sim.sensors import Odometry
-from tests.sim.doubles import ScriptedRandom, StillWorld
-from tests.sim.sensors.support import context
+from tests.sim.doubles import ScriptedRandom
+from tests.sim.sensors.support import context, moment, pose_in
 
 EXACT = {"distance_error": 0.0, "turn_error": 0.0, "heading_error": 0.0, "heading_walk": 0.0}
 
 
 def drive(path, random=None, **parameters):
     """Let odometry follow true poses, a tenth of a second apart; give its last message."""
-    sensor = Odometry(context("odometry", "odom", random=random, start=path[0], **parameters))
+    sensor = Odometry([context("odometry", "odom", random=random, start=path[0], **parameters)])
     for index, truth in enumerate(path):
-        (outgoing,) = sensor.sense(SensorMoment(1.0 + 0.1 * index, truth, None, StillWorld()))
+        (outgoing,) = sensor.sense(moment(1.0 + 0.1 * index, [truth]))
     return outgoing
 
 
@@ -29,16 +27,17 @@ def straight(length, steps=100, yaw=0.0):
 
 
 def counted(outgoing):
-    return pose_of(outgoing.fields["pose"]["pose"])
+    return pose_in(outgoing.columns, "pose/pose")
 
 
 def test_odometry_begins_at_zero_wherever_its_robot_starts():
     outgoing = drive([Pose(3.0, -2.0, 1.2)], **EXACT)
     assert (outgoing.topic, outgoing.type) == ("odom", "nav_msgs/Odometry")
-    assert outgoing.fields["header"] == {"stamp": 1.0, "frame_id": "robot1/odom"}
-    assert outgoing.fields["child_frame_id"] == "robot1/base_link"
+    columns = outgoing.columns
+    assert (columns["header/stamp"].tolist(), columns["header/frame_id"]) == ([1.0], ("robot1/odom",))
+    assert columns["child_frame_id"] == ("robot1/base_link",)
     assert counted(outgoing) == Pose(0.0, 0.0, 0.0)
-    assert outgoing.fields["twist"]["twist"] == {"linear": {"x": 0.0}, "angular": {"z": 0.0}}
+    assert (columns["twist/twist/linear/x"].tolist(), columns["twist/twist/angular/z"].tolist()) == ([0.0], [0.0])
 
 
 def test_odometry_without_errors_counts_the_true_way_seen_from_its_start():
@@ -53,9 +52,9 @@ def test_odometry_without_errors_counts_the_true_way_seen_from_its_start():
 
 
 def test_odometry_tells_velocity_in_the_robots_own_frame():
-    twist = drive(straight(-3.0, steps=60, yaw=2.0), **EXACT).fields["twist"]["twist"]
-    assert twist["linear"]["x"] == pytest.approx(-0.5)
-    assert twist["angular"]["z"] == pytest.approx(0.0)
+    columns = drive(straight(-3.0, steps=60, yaw=2.0), **EXACT).columns
+    assert columns["twist/twist/linear/x"] == pytest.approx([-0.5])
+    assert columns["twist/twist/angular/z"] == pytest.approx([0.0])
 
 
 def test_odometry_of_one_sigma_counts_33_millimetres_too_much_over_ten_metres():
@@ -113,3 +112,28 @@ def test_odometry_refuses_a_negative_error():
         SimError, match=r"robot robot1: sensor odometry on odom: parameter turn_error: must be a number"
     ):
         drive([Pose(0.0, 0.0)], turn_error=-0.1)
+
+
+def test_odometry_of_a_robot_is_the_same_alone_and_in_a_team_that_does_not_always_measure():
+    paths = [straight(1.0, steps=8, yaw=0.3 + place) for place in range(3)]
+
+    def contexts(*places):
+        return [
+            context(
+                "odometry", "odom", robot=f"robot{place}", start=paths[place][0], random=np.random.default_rng(place)
+            )
+            for place in places
+        ]
+
+    measures = [[0, 2] if index in (3, 4) else [0, 1, 2] for index in range(9)]
+    team = Odometry(contexts(0, 1, 2))
+    for index, members in enumerate(measures):
+        (last,) = team.sense(moment(1.0 + 0.1 * index, [paths[place][index] for place in members], members=members))
+    for place, path in enumerate(paths):
+        alone = Odometry(contexts(place))
+        for index, members in enumerate(measures):
+            if place in members:
+                (expected,) = alone.sense(moment(1.0 + 0.1 * index, [path[index]]))
+        for column in ("pose/pose/position/x", "pose/pose/orientation/z", "twist/twist/linear/x"):
+            assert last.columns[column][place] == expected.columns[column][0]
+        assert last.columns["header/frame_id"][place] == f"robot{place}/odom"

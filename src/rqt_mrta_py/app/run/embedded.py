@@ -12,7 +12,7 @@ from rqt_mrta_py.app.run.clock import RunClock
 from rqt_mrta_py.app.run.team import Member, build_team
 from rqt_mrta_py.app.run.watch import SUPERVISOR_TOPICS
 from rqt_mrta_py.errors import UsageError
-from rqt_mrta_py.hooks import Codec, Outgoing
+from rqt_mrta_py.hooks import Codec, Outgoing, TeamOutgoing
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Mission, ScenarioSpec
 from rqt_mrta_py.sim import Simulation, label_of, order_of
@@ -64,6 +64,7 @@ class EmbeddedRun:
             scenario=self._scenario,
             models=manager.registered("mrta_register_robot_models"),
             sensors=makers("sensor", manager.registered("mrta_register_sensors"), "rays", "sense"),
+            team_sensors=makers("team sensor", manager.registered("mrta_register_team_sensors"), "rays", "sense"),
             worlds=makers("world", manager.registered("mrta_register_worlds"), *_WORLD),
             generators={robot.id: generator(seed, robot.id, Purpose.SENSORS) for robot in self._scenario.robots},
             links=makers("link", manager.registered("mrta_register_links"), "deliveries"),
@@ -80,7 +81,8 @@ class EmbeddedRun:
             self._simulation.close()
             raise
         self._members = {member.id: member for member in self._team}
-        self._drivers = [member.driver_node for member in self._team]
+        self._driver_of = {member.id: member.driver_node for member in self._team}
+        self._drivers = list(self._driver_of.values())
 
     @property
     def team_hears_supervisor(self) -> bool:
@@ -96,8 +98,8 @@ class EmbeddedRun:
         """Name what a benchmark times: object, method, and the part of the work that it is."""
         yield self._simulation.world, "step", "physics"
         yield self._simulation.world, "ranges", "rays"
-        for robot in self._simulation.robots.values():
-            yield robot, "sense", "sensing"
+        yield self._simulation.sensing, "measure", "sensing"
+        yield self._simulation.sensing.transforms, "due", "sensing"
         yield self._simulation, "act", "sensing"
         yield self.bus, "publish_each", "bus"
         yield self.bus, "publish_together", "bus"
@@ -147,10 +149,14 @@ class EmbeddedRun:
                 member.host.resume()
 
     def _sense(self, tick: int, now: float) -> None:
-        for robot_id, messages in self._simulation.sense(tick, now):
-            publish = self._members[robot_id].driver_node.publish
-            for message in messages:
-                publish(message, now)
+        for said in self._simulation.sense(tick, now):
+            if isinstance(said, TeamOutgoing):
+                drivers = [self._driver_of[robot] for robot in said.robots]
+                self.bus.publish_together(drivers, said.topic, said.type, said.columns, now)
+            else:
+                publish = self._driver_of[said.robot].publish
+                for message in said.messages:
+                    publish(message, now)
 
     def _decide(self, tick: int, now: float) -> None:
         self.bus.publish_each(self._decisions(tick, now), now)

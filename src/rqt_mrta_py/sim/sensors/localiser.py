@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import Sequence
 
-from rqt_mrta_py.hooks import Outgoing, SensorContext, SensorMoment
-from rqt_mrta_py.model import Pose, wrap_angle
-from rqt_mrta_py.sim.messages import header, pose_fields
+import numpy as np
+
+from rqt_mrta_py.hooks import SensorContext, TeamMoment, TeamOutgoing
+from rqt_mrta_py.sim.angles import wrap_angles
+from rqt_mrta_py.sim.picking import picked
 from rqt_mrta_py.sim.sensors.settings import SensorSettings
 
 __all__ = ["Localiser"]
@@ -20,25 +22,33 @@ class Localiser:
         heading_noise: standard deviation of the heading; 0.01 [rad].
     """
 
-    def __init__(self, context: SensorContext) -> None:
-        settings = SensorSettings(context)
-        self._position_noise = settings.number("position_noise", 0.01)
-        self._heading_noise = settings.number("heading_noise", 0.01)
+    def __init__(self, contexts: Sequence[SensorContext]) -> None:
+        settings = SensorSettings(contexts)
+        position_noise = settings.number("position_noise", 0.01)
+        heading_noise = settings.number("heading_noise", 0.01)
         settings.finish()
-        self._topic = context.setup.topic
-        self._random = context.random
+        self._noise = np.array([position_noise, position_noise, heading_noise])
+        self._topic = contexts[0].setup.topic
+        self._robots = tuple([context.robot_id for context in contexts])
+        self._randoms = tuple([context.random for context in contexts])
 
     @property
     def rays(self) -> None:
         """It wants none."""
 
-    def sense(self, moment: SensorMoment) -> Sequence[Outgoing]:
+    def sense(self, moment: TeamMoment) -> Sequence[TeamOutgoing]:
         """Locate once."""
-        x, y, yaw = self._random.standard_normal(3).tolist()
-        pose = Pose(
-            moment.truth.x + self._position_noise * x,
-            moment.truth.y + self._position_noise * y,
-            wrap_angle(moment.truth.yaw + self._heading_noise * yaw),
-        )
-        fields = {"header": header(moment.now, "map"), "pose": pose_fields(pose)}
-        return (Outgoing(self._topic, "geometry_msgs/PoseStamped", fields),)
+        drawn = np.array([random.standard_normal(3) for random in picked(self._randoms, moment.members)])
+        with np.errstate(over="ignore"):
+            x, y, heading = (moment.truth + self._noise * drawn).T
+        yaw = wrap_angles(heading)
+        columns = {
+            "header/stamp": moment.now,
+            "header/frame_id": "map",
+            "pose/position/x": x,
+            "pose/position/y": y,
+            "pose/orientation/z": np.sin(yaw / 2),
+            "pose/orientation/w": np.cos(yaw / 2),
+        }
+        robots = picked(self._robots, moment.members)
+        return (TeamOutgoing(self._topic, "geometry_msgs/PoseStamped", robots, columns),)

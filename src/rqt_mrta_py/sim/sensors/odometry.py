@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import math
-from typing import Optional, Sequence, Tuple
+from typing import Sequence, Tuple
 
-from rqt_mrta_py.hooks import Outgoing, SensorContext, SensorMoment
-from rqt_mrta_py.model import Pose, wrap_angle
-from rqt_mrta_py.sim.messages import header, pose_fields
+import numpy as np
+from numpy.typing import NDArray
+
+from rqt_mrta_py.hooks import SensorContext, TeamMoment, TeamOutgoing
+from rqt_mrta_py.sim.angles import wrap_angles
+from rqt_mrta_py.sim.picking import picked
 from rqt_mrta_py.sim.sensors.settings import SensorSettings
 
 __all__ = ["Odometry"]
+
+_Floats = NDArray[np.float64]
 
 
 class Odometry:
@@ -36,55 +41,71 @@ class Odometry:
         heading_walk: 0.005 [rad/sqrt(m)].
     """
 
-    def __init__(self, context: SensorContext) -> None:
-        settings = SensorSettings(context)
+    def __init__(self, contexts: Sequence[SensorContext]) -> None:
+        settings = SensorSettings(contexts)
         distance_error = settings.number("distance_error", 0.0033)
         turn_error = settings.number("turn_error", 7.0 / 360.0)
         heading_error = settings.number("heading_error", math.radians(2.0))
         self._heading_walk = settings.number("heading_walk", 0.005)
         settings.finish()
-        distance_bias, turn_bias, heading_bias = context.random.standard_normal(3).tolist()
-        self._distance_factor = 1.0 + distance_error * distance_bias
-        self._turn_factor = 1.0 + turn_error * turn_bias
-        self._heading_per_metre = heading_error * heading_bias
-        self._frame = f"{context.robot_id}/odom"
-        self._child_frame = f"{context.robot_id}/base_link"
-        self._topic = context.setup.topic
-        self._random = context.random
-        self._counted = Pose(0.0, 0.0, 0.0)
-        self._truth = context.start
-        self._time: Optional[float] = None
+        self._topic = contexts[0].setup.topic
+        self._robots = tuple([context.robot_id for context in contexts])
+        self._frames = tuple([f"{context.robot_id}/odom" for context in contexts])
+        self._child_frames = tuple([f"{context.robot_id}/base_link" for context in contexts])
+        self._randoms = tuple([context.random for context in contexts])
+        distance_bias, turn_bias, heading_bias = np.array([random.standard_normal(3) for random in self._randoms]).T
+        with np.errstate(over="ignore"):
+            self._distance_factor: _Floats = 1.0 + distance_error * distance_bias
+            self._turn_factor: _Floats = 1.0 + turn_error * turn_bias
+            self._heading_per_metre: _Floats = heading_error * heading_bias
+        self._counted: _Floats = np.zeros((3, len(contexts)))
+        self._truth: _Floats = np.array([(one.start.x, one.start.y, one.start.yaw) for one in contexts]).T
+        # Not yet known: no time at all has passed since what is no number.
+        self._times: _Floats = np.full(len(contexts), np.nan)
 
     @property
     def rays(self) -> None:
         """It wants none."""
 
-    def sense(self, moment: SensorMoment) -> Sequence[Outgoing]:
+    def sense(self, moment: TeamMoment) -> Sequence[TeamOutgoing]:
         """Count what the wheels did since the last time."""
-        distance, turn = self._count(moment.truth)
-        elapsed = moment.now - self._time if self._time is not None else 0.0
-        self._time = moment.now
-        middle = self._counted.yaw + turn / 2
-        self._counted = Pose(
-            self._counted.x + distance * math.cos(middle),
-            self._counted.y + distance * math.sin(middle),
-            wrap_angle(self._counted.yaw + turn),
-        )
-        speed, turn_rate = (distance / elapsed, turn / elapsed) if elapsed > 0 else (0.0, 0.0)
-        fields = {
-            "header": header(moment.now, self._frame),
-            "child_frame_id": self._child_frame,
-            "pose": {"pose": pose_fields(self._counted)},
-            "twist": {"twist": {"linear": {"x": speed}, "angular": {"z": turn_rate}}},
+        members = moment.members
+        with np.errstate(over="ignore", invalid="ignore"):
+            distance, turn = self._count(members, moment.truth.T)
+            x, y, yaw = self._counted[:, members]
+            middle = yaw + turn / 2
+            x = x + distance * np.cos(middle)
+            y = y + distance * np.sin(middle)
+            yaw = wrap_angles(yaw + turn)
+            self._counted[:, members] = x, y, yaw
+            elapsed = moment.now - self._times[members]
+            self._times[members] = moment.now
+            speed, turn_rate = (
+                np.divide(way, elapsed, out=np.zeros_like(way), where=elapsed > 0) for way in (distance, turn)
+            )
+            turn_z, turn_w = np.sin(yaw / 2), np.cos(yaw / 2)
+        columns = {
+            "header/stamp": moment.now,
+            "header/frame_id": picked(self._frames, members),
+            "child_frame_id": picked(self._child_frames, members),
+            "pose/pose/position/x": x,
+            "pose/pose/position/y": y,
+            "pose/pose/orientation/z": turn_z,
+            "pose/pose/orientation/w": turn_w,
+            "twist/twist/linear/x": speed,
+            "twist/twist/angular/z": turn_rate,
         }
-        return (Outgoing(self._topic, "nav_msgs/Odometry", fields),)
+        return (TeamOutgoing(self._topic, "nav_msgs/Odometry", picked(self._robots, members), columns),)
 
-    def _count(self, truth: Pose) -> Tuple[float, float]:
+    def _count(self, members: NDArray[np.intp], truth: _Floats) -> Tuple[_Floats, _Floats]:
         """Give distance [m] and turn [rad] since the last truth, as the wheels count them."""
-        before, self._truth = self._truth, truth
-        turn = wrap_angle(truth.yaw - before.yaw)
-        middle = before.yaw + turn / 2
-        distance = (truth.x - before.x) * math.cos(middle) + (truth.y - before.y) * math.sin(middle)
-        walk = float(self._random.standard_normal()) * self._heading_walk * math.sqrt(abs(distance))
-        counted_turn = turn * self._turn_factor + self._heading_per_metre * abs(distance) + walk
-        return distance * self._distance_factor, counted_turn
+        before = self._truth[:, members]
+        self._truth[:, members] = truth
+        turn = wrap_angles(truth[2] - before[2])
+        middle = before[2] + turn / 2
+        distance = (truth[0] - before[0]) * np.cos(middle) + (truth[1] - before[1]) * np.sin(middle)
+        length = np.abs(distance)
+        drawn = np.array([random.standard_normal() for random in picked(self._randoms, members)])
+        walk = drawn * self._heading_walk * np.sqrt(length)
+        counted_turn = turn * self._turn_factor[members] + self._heading_per_metre[members] * length + walk
+        return distance * self._distance_factor[members], counted_turn

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import Sequence
+from typing import Dict, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rqt_mrta_py.hooks import Outgoing, RayPattern, SensorContext, SensorMoment
-from rqt_mrta_py.sim.messages import header
-from rqt_mrta_py.sim.mount import MOST_RAYS
+from rqt_mrta_py.hooks import Column, RayPattern, SensorContext, TeamMoment, TeamOutgoing
+from rqt_mrta_py.sim.picking import picked
+from rqt_mrta_py.sim.sensing.rays import MOST_RAYS
 from rqt_mrta_py.sim.sensors.settings import SensorSettings
 
 __all__ = ["RangeFinder"]
@@ -34,8 +34,8 @@ class RangeFinder:
         dropout: 0.005.
     """
 
-    def __init__(self, context: SensorContext) -> None:
-        settings = SensorSettings(context)
+    def __init__(self, contexts: Sequence[SensorContext]) -> None:
+        settings = SensorSettings(contexts)
         rays = settings.whole("rays", 36, most=MOST_RAYS)
         fov = settings.number("fov", _FULL_TURN, above=True, most=_FULL_TURN + 1e-4)
         self._min_range = settings.number("min_range", 0.05)
@@ -46,16 +46,17 @@ class RangeFinder:
         self._noise_per_metre = settings.number("noise_per_metre", 0.01, most=1e3)
         self._dropout = settings.number("dropout", 0.005, most=1.0)
         settings.finish()
-        self._frame = f"{context.robot_id}/base_link"
-        self._topic = context.setup.topic
-        self._random = context.random
+        self._robots = tuple([context.robot_id for context in contexts])
+        self._frames = tuple([f"{context.robot_id}/base_link" for context in contexts])
+        self._topic = contexts[0].setup.topic
+        self._randoms = tuple([context.random for context in contexts])
         self._bearings = _bearings(rays, fov)
         increment = float(self._bearings[1] - self._bearings[0]) if rays > 1 else 0.0
         self._constant = {
             "angle_min": float(self._bearings[0]),
             "angle_max": float(self._bearings[-1]),
             "angle_increment": increment,
-            "scan_time": 1.0 / context.setup.rate,
+            "scan_time": 1.0 / contexts[0].setup.rate,
             "range_min": self._min_range,
             "range_max": self._max_range,
         }
@@ -65,29 +66,33 @@ class RangeFinder:
         """The rays it wants cast."""
         return RayPattern(self._bearings, self._max_range)
 
-    def sense(self, moment: SensorMoment) -> Sequence[Outgoing]:
+    def sense(self, moment: TeamMoment) -> Sequence[TeamOutgoing]:
         """Measure once; draws as many random numbers whatever is seen."""
         true = moment.ranges
         if true is None:
             raise ValueError("a range finder was handed no ranges")
-        noise = self._random.standard_normal(true.size)
-        lost = self._random.random(true.size) < self._dropout
-        # Noise of a finite range, for infinity times a noise of nothing is no number. In place, for so short a row
-        # takes less time than its making.
+        noise, chance = np.empty_like(true), np.empty_like(true)
+        for random, noise_row, chance_row in zip(picked(self._randoms, moment.members), noise, chance):
+            random.standard_normal(out=noise_row)
+            random.random(out=chance_row)
+        # Noise of a finite range, for infinity times a noise of nothing is no number. In place, for making arrays takes
+        # longer than filling them.
         measured = np.minimum(true, self._max_range)
         measured *= self._noise_per_metre
         measured += self._noise
         measured *= noise
         measured += true
+        lost = chance < self._dropout
         lost |= measured > self._max_range
         np.putmask(measured, measured < self._min_range, -np.inf)
         np.putmask(measured, lost, np.inf)
-        fields = {
-            "header": header(moment.now, self._frame),
+        columns: Dict[str, Column] = {
+            "header/stamp": moment.now,
+            "header/frame_id": picked(self._frames, moment.members),
             **self._constant,
-            "ranges": measured.tolist(),
+            "ranges": measured,
         }
-        return (Outgoing(self._topic, "sensor_msgs/LaserScan", fields),)
+        return (TeamOutgoing(self._topic, "sensor_msgs/LaserScan", picked(self._robots, moment.members), columns),)
 
 
 def _bearings(rays: int, fov: float) -> NDArray[np.float64]:

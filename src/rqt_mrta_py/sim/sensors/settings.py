@@ -1,27 +1,28 @@
-"""Reads what a scenario sets for one sensor; what is wrong is told all at once."""
+"""Reads what a scenario sets for a sensor; what is wrong is told all at once."""
 
 from __future__ import annotations
 
 import math
-from typing import Any, List, Set
+from typing import Any, List, Sequence, Set
 
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import SensorContext
+from rqt_mrta_py.sim.sensing.mount import where_it_is
 from rqt_mrta_py.wording import accepted
 
 __all__ = ["SensorSettings"]
 
 
 class SensorSettings:
-    """The parameters of one sensor: asked for one by one, then finished, so that those nobody asked for are found.
+    """The parameters of a sensor: asked for one by one, then finished, so that those nobody asked for are found.
 
     Args:
-        context: of the sensor.
+        contexts: of the sensor, one for each robot that carries it; their setups are equal.
     """
 
-    def __init__(self, context: SensorContext) -> None:
-        self._where = f"robot {context.robot_id}: sensor {context.setup.kind} on {context.setup.topic}"
-        self._values = context.setup.parameters
+    def __init__(self, contexts: Sequence[SensorContext]) -> None:
+        self._contexts = contexts
+        self._values = contexts[0].setup.parameters
         self._asked: Set[str] = set()
         self._problems: List[str] = []
 
@@ -62,19 +63,20 @@ class SensorSettings:
             value: what it is.
             accepted: what it must be, as in ``must be above min_range (0.05)``.
         """
-        self._problems.append(f"{self._where}: parameter {name}: {accepted} (got {value!r})")
+        self._problems.append(f"parameter {name}: {accepted} (got {value!r})")
 
     def finish(self) -> None:
         """End the reading.
 
         Raises:
-            SimError: a value is not acceptable, or a parameter is unknown; one line for each.
+            SimError: a value is not acceptable, or a parameter is unknown; one line for each, and for each robot.
         """
         for name in sorted(set(self._values) - self._asked, key=str):
             known = accepted(str(name), sorted(self._asked))
-            self._problems.append(f"{self._where}: parameter {name}: unknown; {known}")
+            self._problems.append(f"parameter {name}: unknown; {known}")
         if self._problems:
-            raise SimError("\n".join(self._problems))
+            wheres = [where_it_is(context) for context in self._contexts]
+            raise SimError("\n".join(f"{where}: {problem}" for where in wheres for problem in self._problems))
 
     def _ask(self, name: str, default: float) -> Any:
         self._asked.add(name)

@@ -17,6 +17,8 @@ from rqt_mrta_py.hooks import (
     SensorContext,
     SensorMoment,
     SimError,
+    TeamMoment,
+    TeamOutgoing,
     WorldSetup,
 )
 from rqt_mrta_py.model import Pose, Twist
@@ -118,3 +120,18 @@ class Odometer:
 
     def sense(self, moment: SensorMoment) -> List[Outgoing]:
         return [Outgoing(self._topic, "std_msgs/Float64", {"data": moment.truth.x - self._start})]
+
+
+class Ranks:
+    """Which mole lies lower than which: none of them could tell alone."""
+
+    rays = None
+
+    def __init__(self, contexts: Sequence[SensorContext]) -> None:
+        self._topic = contexts[0].setup.topic
+        self._robots = [context.robot_id for context in contexts]
+
+    def sense(self, moment: TeamMoment) -> List[TeamOutgoing]:
+        robots = tuple(self._robots[member] for member in moment.members)
+        ranks = np.argsort(np.argsort(moment.truth[:, 1], kind="stable")).astype(np.int64)
+        return [TeamOutgoing(self._topic, "std_msgs/Int32", robots, {"data": ranks + 1})]

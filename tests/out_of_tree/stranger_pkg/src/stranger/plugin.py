@@ -56,6 +56,11 @@ def mrta_register_sensors() -> Mapping[str, Any]:
 
 
 @hookimpl
+def mrta_register_team_sensors() -> Mapping[str, Any]:
+    return {"rank": ground.Ranks}
+
+
+@hookimpl
 def mrta_register_links() -> Mapping[str, Any]:
     return {"tin_can": ground.TinCan}
 

@@ -32,6 +32,7 @@ LOG = logging.getLogger("stranger")
 MILEAGE = Subscription("/@robot_id@/mileage", "std_msgs/Float64", ("data",))
 LATE_BY = Subscription("/@robot_id@/late_by", "std_msgs/Float64", ("data",))
 CLAIMS = Subscription("/@robot_id@/claim/@task_id@", "std_msgs/String", ("data",))
+RANK = Subscription("/@robot_id@/rank", "std_msgs/Int32", ("data",))
 FAREWELLS = Subscription("/@robot_id@/farewell/@task_id@", "std_msgs/String", ("data",))
 
 
@@ -93,7 +94,7 @@ class Trace:
         self._heard: Dict[str, List[Any]] = {"application": [setup.mission.application.name]}
 
     def subscriptions(self) -> Sequence[Subscription]:
-        return [MILEAGE, LATE_BY, CLAIMS]
+        return [MILEAGE, RANK, LATE_BY, CLAIMS]
 
     def hear(self, heard: Heard) -> None:
         self._heard.setdefault(heard.topic, []).append(heard.fields["data"])
