@@ -33,7 +33,14 @@ def contents(wheel: Path) -> Dict[str, bytes]:
 
 def test_wheel_holds_every_python_module(contents: Dict[str, bytes], tree: Path) -> None:
     modules = {path.relative_to(tree / "src").as_posix() for path in (tree / "src").rglob("*.py")}
-    assert {name for name in contents if name.startswith("rqt_mrta_py/")} == {*modules, "rqt_mrta_py/py.typed"}
+    schema = "rqt_mrta_py/config/schema"
+    grammars = {f"{schema}/{name}" for name in ("architecture.rng", "application.rng")}
+    grammars |= {f"{schema}/{name}.schema.json" for name in ("tasks", "scenario")}
+    assert {name for name in contents if name.startswith("rqt_mrta_py/")} == {
+        *modules,
+        *grammars,
+        "rqt_mrta_py/py.typed",
+    }
 
 
 def test_wheel_holds_every_package_under_plugins_whole(contents: Dict[str, bytes], tree: Path) -> None:

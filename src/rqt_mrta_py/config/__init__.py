@@ -3,6 +3,7 @@
 * ``mission``: all of it joined; the place to begin
 * ``discovery``: package.xml to what is registered, and where; what the user calls it to its files
 * ``xml``: both flavours of rqt_mrta.xml, read and written
+* ``schema``: what all files may hold, as data; grammars and docs/config.md are written from it
 * ``yaml``: YAML text to values with lines, checked by tables that are also the documentation
 * ``tasks``, ``scenario``: the files with these tables
 * ``parameters``: templates and what is given to each robot's parameters
