@@ -101,7 +101,7 @@ def team_message_breach(messages: object, robots: Sequence[str]) -> Optional[str
             f"measured, in order, each once: {shown(tuple(robots))}"
         )
     for path, column in columns.items():
-        rows = None if isinstance(column, str) else _rows_of(column)
+        rows = _rows_of(column)
         if rows is not None and rows != len(speakers):
             return (
                 f"answered a TeamOutgoing on {topic!r} with {rows} rows of {shown(path)} for {len(speakers)} robots; "
@@ -118,7 +118,7 @@ def _are_some_of(speakers: Tuple[object, ...], robots: Sequence[str]) -> bool:
 
 def _rows_of(column: object) -> Optional[int]:
     """Give how many rows a column has; None for one value that all share."""
-    shape = getattr(column, "shape", None)
-    if shape is not None:
-        return int(shape[0]) if shape else None
-    return len(column) if isinstance(column, abc.Sized) else None
+    shape = getattr(column, "shape", ())
+    if shape:
+        return int(shape[0])
+    return len(column) if isinstance(column, (tuple, list)) else None

@@ -19,6 +19,6 @@ def wrap_angles(angles: NDArray[np.float64]) -> NDArray[np.float64]:
     # Both steps are exact: a remainder is, and so is the difference of two numbers of which neither is twice the other.
     with np.errstate(invalid="ignore"):
         wrapped: NDArray[np.float64] = np.fmod(angles, _FULL_TURN)
-        wrapped[wrapped > np.pi] -= _FULL_TURN
-        wrapped[wrapped <= -np.pi] += _FULL_TURN
+        turns = (wrapped > np.pi).view(np.int8) - (wrapped <= -np.pi).view(np.int8)
+        wrapped -= turns * _FULL_TURN
     return wrapped

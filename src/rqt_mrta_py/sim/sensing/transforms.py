@@ -84,7 +84,9 @@ class Transforms:
         """
         is_counted, is_located = self._is_new[_ODOMETRY], self._is_new[_LOCATED]
         self._is_counted |= is_counted
-        self._place(np.flatnonzero(is_located & self._is_counted))
+        found = np.flatnonzero(is_located & self._is_counted)
+        if found.size:
+            self._place(found)
         placed, lost = np.flatnonzero(is_counted & self._is_placed), np.flatnonzero(is_counted & ~self._is_placed)
         is_counted[:] = is_located[:] = False
         messages = []
@@ -151,13 +153,13 @@ def odometry_origins(located: NDArray[np.float64], counted: NDArray[np.float64])
         cos, sin = np.cos(yaw), np.sin(yaw)
         x = located[0] - (cos * counted[0] - sin * counted[1])
         y = located[1] - (sin * counted[0] + cos * counted[1])
-    return np.stack((x, y, yaw))
+    return np.array((x, y, yaw))
 
 
 def _flat(poses: _Floats) -> _Floats:
     """Give x, y, yaw of poses on the floor."""
     x, y, _, _, _, turn_z, turn_w = poses
-    return np.stack((x, y, 2 * np.arctan2(turn_z, turn_w)))
+    return np.array((x, y, 2 * np.arctan2(turn_z, turn_w)))
 
 
 def _transform(number: int, times: _Floats, parents: Column, children: Column, poses: _Floats) -> Dict[str, Column]:

@@ -80,9 +80,7 @@ class Odometry:
             self._counted[:, members] = x, y, yaw
             elapsed = moment.now - self._times[members]
             self._times[members] = moment.now
-            speed, turn_rate = (
-                np.divide(way, elapsed, out=np.zeros_like(way), where=elapsed > 0) for way in (distance, turn)
-            )
+            speed, turn_rate = np.divide((distance, turn), elapsed, out=np.zeros((2, elapsed.size)), where=elapsed > 0)
             turn_z, turn_w = np.sin(yaw / 2), np.cos(yaw / 2)
         columns = {
             "header/stamp": moment.now,
