@@ -61,20 +61,24 @@ class Host:
         return None if path is None else path.read_text(encoding="utf-8")
 
 
-def compose() -> Host:
+def compose(registry: Optional[Registry] = None, forgiving: bool = False) -> Host:
     """Look for packages and load every plugin: this project's own rooms last, so that a package may replace a name.
+
+    Args:
+        registry: the packages; None: those that the environment names.
+        forgiving: leave a plugin out that does not keep the contract, and say so among the problems.
 
     Raises:
         UsageError: the environment says something of plugins that makes no sense.
-        HookError: a plugin does not keep the contract.
+        HookError: a plugin does not keep the contract, unless forgiving.
     """
     settings = plugin_settings(os.environ)
-    registry = registry_only()
+    registry = registry_only() if registry is None else registry
     warn_of_blocking(registry, settings.blocked)
     patience = Patience() if settings.patience is None else Patience(settings.patience)
     manager = PluginManager(patience, _trace() if settings.trace else None)
     wanted = [each for each in registry.registrations if not is_blocked(each, settings.blocked)]
-    problems = [*registry.problems, *load_plugins(wanted, manager)]
+    problems = [*registry.problems, *load_plugins(wanted, manager, forgiving)]
     for name in OWN_PLUGINS:
         manager.register(importlib.import_module(name), name)
     return Host(registry, manager, problems)

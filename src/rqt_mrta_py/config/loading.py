@@ -18,7 +18,7 @@ from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ApplicationSpec, MissionTexts, ScenarioSpec, Task
 from rqt_mrta_py.wording import accepted
 
-__all__ = ["LoadedTeam", "attempt", "load_team", "scenario_of", "tasks_of"]
+__all__ = ["LoadedTeam", "attempt", "load_team", "scenario_of", "tasks_of", "yaml_text"]
 
 _T = TypeVar("_T")
 
@@ -62,7 +62,7 @@ def load_team(
     named = architecture or file.spec.architecture or _no_architecture(source)
     other = find_source(registry, named, RegistrationKind.ARCHITECTURE)
     other_raw = read(other.file)
-    tasks_yaml, scenario_yaml = (_text(path, read) for path in (source.tasks, source.scenario))
+    tasks_yaml, scenario_yaml = (yaml_text(path, read) for path in (source.tasks, source.scenario))
     problems: List[Problem] = []
     spec = attempt(problems, lambda: read_architecture(other_raw, str(other.file), other.package))
     tasks = attempt(problems, lambda: tasks_of(file, str(source.file), tasks_yaml, str(source.tasks or "")))
@@ -130,7 +130,8 @@ def _no_architecture(source: Source) -> str:
     raise ConfigError([Problem(str(source.file), 0, "application/architecture", message)])
 
 
-def _text(path: Optional[Path], read: Callable[[Path], bytes]) -> Optional[str]:
+def yaml_text(path: Optional[Path], read: Callable[[Path], bytes] = read_file) -> Optional[str]:
+    """Read the text of a YAML file; None where there is none."""
     if path is None:
         return None
     raw = read(path)

@@ -17,31 +17,38 @@ __all__ = ["load_plugin", "load_plugins"]
 _log = logging.getLogger("rqt_mrta_py.hooks")
 
 
-def load_plugins(source: Union[Registry, Iterable[Registration]], manager: PluginManager) -> Tuple[Problem, ...]:
+def load_plugins(
+    source: Union[Registry, Iterable[Registration]], manager: PluginManager, forgiving: bool = False
+) -> Tuple[Problem, ...]:
     """Import and register plugins, in order; one that cannot be imported is left out and the others go on.
 
     Args:
         source: what was discovered; registrations that are no plugins are passed over.
         manager: takes the plugins in, each under its module's name; one registered twice counts once.
+        forgiving: leave out those too that do not keep the contract.
 
     Returns:
-        What could not be imported, one problem for each plugin. Whether one was needed is the caller's to know.
+        What was left out, one problem for each plugin. Whether one was needed is the caller's to know.
 
     Raises:
-        HookError: a plugin does not keep the contract; a mistake of its author, told before anything is done.
+        HookError: a plugin does not keep the contract, a mistake of its author; told before anything is done, unless
+            forgiving.
     """
     registrations = source.registrations if isinstance(source, Registry) else source
     failures = []
     for registration in registrations:
         if registration.kind is not RegistrationKind.PLUGIN or registration.plugin in manager.names:
             continue
+        is_imported = False
         try:
             plugin = _imported(registration, manager)
+            is_imported = True
+            manager.register(plugin, registration.plugin)
         except HookError as error:
+            if is_imported and not forgiving:
+                raise
             _log.info("event=plugin_failed package=%s module=%s", registration.package, registration.plugin)
             failures.append(Problem(str(registration.manifest), registration.line, "", str(error)))
-        else:
-            manager.register(plugin, registration.plugin)
     return tuple(failures)
 
 

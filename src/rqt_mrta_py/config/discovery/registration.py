@@ -58,11 +58,13 @@ class Registry:
         packages: folder by package name, in search order; the first of a name.
         registrations: in search order; within a package in the order of its manifest.
         problems: manifests that could not be read, and tags that do not count.
+        shadowed: name and folder of each package that an earlier one of its name hides, in search order.
     """
 
     packages: Mapping[str, Path] = field(default_factory=dict)
     registrations: Tuple[Registration, ...] = ()
     problems: Tuple[Problem, ...] = ()
+    shadowed: Tuple[Tuple[str, Path], ...] = ()
 
     def of_kind(self, kind: RegistrationKind) -> Tuple[Registration, ...]:
         """List the registrations of one kind, in search order."""

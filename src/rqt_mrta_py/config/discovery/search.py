@@ -69,7 +69,9 @@ def discover(
         search.place(folder)
     search.entry_points(metadata.distributions() if distributions is None else distributions)
     _log.debug("event=discovered packages=%d registrations=%d", len(search.packages), len(search.registrations))
-    return Registry(search.packages, tuple(search.registrations), tuple(sorted(set(search.problems))))
+    return Registry(
+        search.packages, tuple(search.registrations), tuple(sorted(set(search.problems))), tuple(search.shadowed)
+    )
 
 
 def own_packages() -> Tuple[Path, ...]:
@@ -96,6 +98,7 @@ class _Search:
         self.packages: Dict[str, Path] = {}
         self.registrations: List[Registration] = []
         self.problems: List[Problem] = []
+        self.shadowed: List[Tuple[str, Path]] = []
         self._visited: Set[Tuple[int, int]] = set()
 
     def place(self, folder: Path) -> None:
@@ -168,6 +171,7 @@ class _Search:
             self.problems.extend(manifest.problems)
             return
         if manifest.name in self.packages:
+            self.shadowed.append((manifest.name, manifest.folder))
             return
         self.packages[manifest.name] = manifest.folder
         self.registrations.extend(manifest.registrations)

@@ -1,0 +1,171 @@
+"""One package that is examined, and its files, each read when a check asks for it."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from pathlib import Path
+from typing import Dict, List, NamedTuple, Optional, Tuple
+
+from lxml import etree
+
+from rqt_mrta_py.app.compose import Host
+from rqt_mrta_py.config import Registration, RegistrationKind, Team
+from rqt_mrta_py.config.discovery.source import Source, find_source
+from rqt_mrta_py.config.files import read_file
+from rqt_mrta_py.config.loading import attempt, scenario_of, tasks_of, yaml_text
+from rqt_mrta_py.config.xml.application import ApplicationFile, read_application_file
+from rqt_mrta_py.config.xml.architecture import read_architecture
+from rqt_mrta_py.config.xml.text import line_of, parse_xml
+from rqt_mrta_py.errors import ConfigError, DiscoveryError, Problem
+from rqt_mrta_py.model import ArchitectureSpec, ScenarioSpec, Task
+
+__all__ = ["ApplicationFiles", "ArchitectureFile", "Subject"]
+
+
+class ArchitectureFile(NamedTuple):
+    """An architecture that is registered.
+
+    Attributes:
+        registration: by which it is.
+        path: of its rqt_mrta.xml.
+        spec: what the file says; None if it cannot be read.
+    """
+
+    registration: Registration
+    path: Path
+    spec: Optional[ArchitectureSpec]
+
+
+class ApplicationFiles(NamedTuple):
+    """An application that is registered, with everything that belongs to it; None is what cannot be read.
+
+    Attributes:
+        registration: by which it is.
+        path: of its rqt_mrta.xml.
+        file: what it says.
+        architecture: the architecture that it names.
+        tasks: of its tasks.yaml, or those that its robots name where it has none.
+        scenario: of its scenario.yaml; None too where it has none.
+        team: whose parameters can be resolved.
+    """
+
+    registration: Registration
+    path: Path
+    file: Optional[ApplicationFile]
+    architecture: Optional[ArchitectureSpec]
+    tasks: Optional[Tuple[Task, ...]]
+    scenario: Optional[ScenarioSpec]
+    team: Optional[Team]
+
+
+class Subject:
+    """One package, or one rqt_mrta.xml that no package registers.
+
+    Args:
+        name: of the package.
+        folder: of the package.
+        manifest: its package.xml or manifest.xml; None: only the files of the registrations are examined.
+        registrations: what it registers, in the manifest's order.
+        host: what there is besides: other packages, plugins, message types.
+    """
+
+    def __init__(
+        self, name: str, folder: Path, manifest: Optional[Path], registrations: Tuple[Registration, ...], host: Host
+    ) -> None:
+        self.name = name
+        self.folder = folder
+        self.manifest = manifest
+        self.registrations = registrations
+        self.host = host
+        self._roots: Dict[Path, etree._Element] = {}
+        self._problems: List[Problem] = []
+
+    @property
+    def place(self) -> Path:
+        """Where to point when nothing closer is known."""
+        return self.manifest or next((entry.file for entry in self.registrations if entry.file), self.folder)
+
+    @property
+    def problems(self) -> Tuple[Problem, ...]:
+        """What the readers found wrong with architectures and applications; reads them all."""
+        _ = self.architectures, self.applications
+        return tuple(sorted(set(self._problems)))
+
+    def root(self, path: Path) -> etree._Element:
+        """Give the root element of an XML file.
+
+        Raises:
+            ConfigError: it cannot be read, or is not XML that is accepted here.
+        """
+        if path not in self._roots:
+            self._roots[path] = parse_xml(read_file(path), str(path))
+        return self._roots[path]
+
+    def line(self, path: Path, element: str) -> int:
+        """Find the line of an element of an XML file.
+
+        Args:
+            path: the file.
+            element: names from below the root, joined by ``/``; where it is missing its nearest parent counts.
+
+        Returns:
+            The 1-based line; 0 if the file cannot be read.
+        """
+        try:
+            node = self.root(path)
+        except ConfigError:
+            return 0
+        for name in element.split("/"):
+            inner = node.find(name)
+            if inner is None:
+                break
+            node = inner
+        return line_of(node)
+
+    @cached_property
+    def architectures(self) -> Tuple[ArchitectureFile, ...]:
+        """The architectures that the package registers and whose files are there."""
+        return tuple(
+            ArchitectureFile(entry, entry.file, self._architecture(Source(entry.package, entry.file)))
+            for entry in self.registrations
+            if entry.kind is RegistrationKind.ARCHITECTURE and entry.file is not None and not entry.problems
+        )
+
+    @cached_property
+    def applications(self) -> Tuple[ApplicationFiles, ...]:
+        """The applications that the package registers and whose files are there."""
+        return tuple(
+            self._application(entry, entry.file)
+            for entry in self.registrations
+            if entry.kind is RegistrationKind.APPLICATION and entry.file is not None and entry.file.is_file()
+        )
+
+    def _architecture(self, source: Source) -> Optional[ArchitectureSpec]:
+        return attempt(
+            self._problems, lambda: read_architecture(read_file(source.file), str(source.file), source.package)
+        )
+
+    def _application(self, entry: Registration, path: Path) -> ApplicationFiles:
+        note = self._problems
+        file = attempt(note, lambda: read_application_file(read_file(path), str(path), entry.package))
+        if file is None:
+            return ApplicationFiles(entry, path, None, None, None, None, None)
+        source = attempt(note, lambda: self._source(file, path))
+        architecture = self._architecture(source) if source is not None else None
+        tasks = attempt(note, lambda: tasks_of(file, str(path), yaml_text(entry.tasks), str(entry.tasks or "")))
+        scenario = attempt(note, lambda: scenario_of(file, tasks, yaml_text(entry.scenario), str(entry.scenario or "")))
+        team = None
+        if architecture is not None and source is not None and tasks is not None:
+            team = Team(file.spec, path, architecture, source.file, tasks)
+        return ApplicationFiles(entry, path, file, architecture, tasks, scenario, team)
+
+    def _source(self, file: ApplicationFile, path: Path) -> Source:
+        """Find the file of the architecture that an application names."""
+        element = "application/architecture"
+        if file.spec.architecture is None:
+            message = "is missing; name the package of the architecture, mrta list architectures tells which there are"
+            raise ConfigError([Problem(str(path), self.line(path, element), element, message)])
+        try:
+            return find_source(self.host.registry, file.spec.architecture, RegistrationKind.ARCHITECTURE)
+        except DiscoveryError as error:
+            raise ConfigError([Problem(str(path), self.line(path, element), element, str(error))]) from error
