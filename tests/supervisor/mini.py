@@ -10,8 +10,10 @@ from rqt_mrta_py.hooks import (
     EVERYTHING,
     AllocationInterpreter,
     AllocationSign,
+    Connection,
     Heard,
     IncidentRuleFactory,
+    Sighting,
     Statistic,
     Subscription,
 )
@@ -96,12 +98,16 @@ class Stream:
         for subscription, callback in self.supervisor.listeners():
             self._listeners.append((_pattern(subscription.topic), subscription, callback))
         self._ordinals: Dict[str, int] = defaultdict(int)
+        self._sightings: Dict[Tuple[str, str], Sighting] = {}
 
     def say(self, time: float, topic: str, type: str = "", caller: str = "", **fields: Any) -> None:
         """Publish a message; a double underscore in a field's name stands for a slash."""
         values = {name.replace("__", "/"): value for name, value in fields.items()}
         ordinal = self._ordinals[topic]
         self._ordinals[topic] += 1
+        if (topic, caller) not in self._sightings:
+            self._sightings[topic, caller] = self.supervisor.sighting(Connection(topic, type, "", "", caller))
+        self._sightings[topic, caller](time, ordinal)
         for pattern, subscription, callback in self._listeners:
             match = pattern.fullmatch(topic)
             if match is None or (type and subscription.type not in ("", type)):

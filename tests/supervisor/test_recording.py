@@ -37,6 +37,7 @@ def review(bag: Path, root: Path, idle: bool, listed: bool) -> Tuple[MissionReco
     rules, statistics = mrta_register_incident_rules(), mrta_register_statistics()
     supervisor = Supervisor(mission, interpreter, rules, statistics, events.append)
     dispatcher = Dispatcher(RosCodec(lambda type_name: None), supervisor.report)
+    dispatcher.watch(supervisor.sighting)
     for subscription, callback in supervisor.listeners():
         dispatcher.subscribe(subscription, callback)
     for stamped in read_bag(bag):

@@ -5,7 +5,7 @@ from typing import Any, List, Tuple
 import pytest
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import EVERYTHING, Connection, Heard, Stamped, Subscription
+from rqt_mrta_py.hooks import EVERYTHING, Connection, Heard, Sighting, Stamped, Subscription
 from rqt_mrta_py.transport import Dispatcher, RosCodec
 
 
@@ -148,3 +148,47 @@ def test_dispatcher_lets_an_exception_of_a_listener_through(codec: RosCodec) -> 
     dispatcher.subscribe(Subscription("/s"), fail)
     with pytest.raises(RuntimeError, match="/s"):
         dispatcher.feed(Stamped(codec.connection("/s", "std_msgs/String"), 1, b""))
+
+
+def test_who_watches_is_told_of_each_message_before_all_who_hear_it(codec: RosCodec) -> None:
+    told: List[Any] = []
+    dispatcher = Dispatcher(codec, lambda heard, text: told.append(text))
+    dispatcher.subscribe(Subscription(EVERYTHING), lambda heard: told.append((heard.caller, heard.receipt)))
+
+    def sighting(connection: Connection) -> Sighting:
+        told.append(f"asked for {connection.caller}")
+        return lambda receipt, ordinal: told.append((connection.caller, receipt, ordinal))
+
+    dispatcher.watch(sighting)
+    first, second = (codec.connection("/s", "std_msgs/String", caller) for caller in ("/one", "/two"))
+    dispatcher.feed_many([Stamped(made, receipt_ns, b"\xff") for made, receipt_ns in ((first, 5 * 10**8), (second, 0))])
+    dispatcher.feed(Stamped(first, 5 * 10**8, b""))
+    assert told == [
+        "asked for /one",
+        ("/one", 0.5, 0),
+        ("/one", 0.5),
+        "asked for /two",
+        ("/two", 0.0, 1),
+        ("/two", 0.0),
+        ("/one", 0.5, 2),
+        ("/one", 0.5),
+    ]
+
+
+def test_messages_that_come_together_are_heard_one_by_one(listening: Listening, codec: RosCodec) -> None:
+    """What a callback subscribes to is heard from the next message on."""
+    made = codec.connection("/s", "std_msgs/String")
+    raws = [codec.encode("std_msgs/String", {"data": text}) for text in "abc"]
+    subscribed: List[str] = []
+
+    def first(heard: Heard) -> None:
+        if not subscribed:
+            subscribed.append(heard.topic)
+            listening.subscribe("/s", "std_msgs/String", "data")
+
+    listening.dispatcher.subscribe(Subscription("/s"), first)
+    listening.dispatcher.feed_many([Stamped(made, 10**9 + number, raw) for number, raw in enumerate(raws)])
+    assert [(heard.fields["data"], heard.ordinal, heard.receipt) for heard in listening.heard] == [
+        ("b", 1, 1.000000001),
+        ("c", 2, 1.000000002),
+    ]

@@ -78,6 +78,7 @@ class Observation:
         self._scene = SceneTracker(mission, models)
         self._panels = _panels(mission, manager)
         self._dispatcher = Dispatcher(codec, self.supervisor.report)
+        self._dispatcher.watch(self.supervisor.sighting)
         for subscription, callback in self.supervisor.listeners():
             self._dispatcher.subscribe(subscription, callback)
         listeners: List[Listener] = [self._scene, *self._panels, *further, *observers_of(mission, manager)]
@@ -86,9 +87,9 @@ class Observation:
                 self._dispatcher.subscribe(subscription, listener.hear)
         manager.notify("mrta_on_mission_start", mission=mission)
 
-    def feed(self, stamped: Stamped) -> None:
-        """Take in the next message of the stream."""
-        self._dispatcher.feed(stamped)
+    def feed(self, messages: Sequence[Stamped]) -> None:
+        """Take in the next messages of the stream."""
+        self._dispatcher.feed_many(messages)
 
     def news(self) -> Sequence[Outgoing]:
         """Give what the supervisor has to say since it was last asked."""

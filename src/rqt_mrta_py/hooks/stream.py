@@ -23,6 +23,7 @@ __all__ = [
     "Heard",
     "Listener",
     "Outgoing",
+    "Sighting",
     "Stamped",
     "Subscription",
     "TeamOutgoing",
@@ -148,6 +149,10 @@ class TeamOutgoing(NamedTuple):
     robots: Tuple[str, ...]
     columns: Mapping[str, Column]
 
+
+Sighting = Callable[[float, int], None]
+"""Is told that a message of one connection came, and nothing of its content: when it was received [s], and its ordinal,
+both as in Heard."""
 
 FieldReader = Callable[[bytes], Tuple[Any, ...]]
 """From a message's bytes to the values of the compiled paths, in their order."""

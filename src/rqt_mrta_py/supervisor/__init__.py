@@ -2,7 +2,8 @@
 
 * ``supervisor``: hears the stream, drives the rest, gives records and messages; the place to begin
 * ``ears``: what to hear, and what the team is told for it; ``statements``: what follows from what is stated
-* ``topics``, ``readers``, ``presence``: which topics an architecture has, how messages tell robots and tasks
+* ``topics``, ``readers``, ``presence``: which topics an architecture has, how messages tell robots and tasks;
+  ``message_key``: what points at one
 * ``team``: derives facts; ``robots``, ``tasks``, ``allocations`` keep one thing each, ``timeline`` their histories
 * ``agenda``: what falls due when; ``copies``: a team that looks ahead without moving on
 * ``desk``, ``rules``: incidents; ``failures``: plugins that raise on the way

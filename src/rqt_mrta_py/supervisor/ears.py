@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from typing import Callable, List, Optional, Sequence, Tuple
 
-from rqt_mrta_py.hooks import EVERYTHING, AllocationInterpreter, AllocationSign, Heard, Subscription
+from rqt_mrta_py.hooks import AllocationInterpreter, AllocationSign, Connection, Heard, Sighting, Subscription
 from rqt_mrta_py.model import Progress, RobotState, normalise_id
 from rqt_mrta_py.supervisor.failures import checked, failure
+from rqt_mrta_py.supervisor.message_key import MessageKey, key_of
 from rqt_mrta_py.supervisor.presence import Presence
 from rqt_mrta_py.supervisor.readers import STAMP, TopicReader, text_of
+from rqt_mrta_py.supervisor.robots import RobotWatch
 from rqt_mrta_py.supervisor.statements import Report, Statements
 from rqt_mrta_py.supervisor.team import Team
 from rqt_mrta_py.supervisor.topics import Topics
@@ -36,7 +38,7 @@ class Ears:
         self,
         topics: Topics,
         team: Team,
-        enter: Callable[[Heard], None],
+        enter: Callable[[MessageKey], None],
         report: Callable[[Heard, str], None],
     ) -> None:
         self._topics = topics
@@ -46,11 +48,35 @@ class Ears:
         self._statements = Statements(team, topics.hold)
         self._presence = Presence(team.robots, topics.naming)
 
+    def sighting(self, connection: Connection) -> Sighting:
+        """Give who is told first of all messages of a connection: time passes, and their robot counts as heard."""
+        topic, team, enter, owner = connection.topic, self._team, self._enter, self._presence.owner
+        book, robots = team.book, team.robots
+        robot: Optional[RobotWatch] = None
+        known = -1
+
+        # Nearly all messages of a mission end here, and nearly always time stands still and nothing waits for them.
+        def sight(receipt: float, ordinal: int) -> None:
+            nonlocal robot, known
+            message = (topic, receipt, ordinal)
+            if receipt > team.now or book.unsettled:
+                enter(message)
+            if len(robots) != known:
+                robot, known = owner(connection), len(robots)
+            if robot is None:
+                return
+            if robot.silent or book.expired:
+                enter(message)
+                team.hear(robot, message)
+            else:
+                robot.heard_at, robot.last_message = team.now, message
+
+        return sight
+
     def listeners(self) -> List[Tuple[Subscription, Callback]]:
         """Say what to hear, and who hears it, in the order in which one message shall be taken in."""
         topics = self._topics
-        pairs: List[Tuple[Subscription, Callback]] = [(Subscription(EVERYTHING), self._hear_anything)]
-        pairs += [(reader.subscription(), self._hears_busy(reader)) for reader in topics.busy]
+        pairs = [(reader.subscription(), self._hears_busy(reader)) for reader in topics.busy]
         pairs += [(reader.subscription(), self._hears_idle(reader)) for reader in topics.idle]
         pairs += [(reader.subscription(), self._hears_incoming(reader)) for reader in topics.incoming]
         pairs += [(reader.subscription(), self._hears_allocated(reader)) for reader in topics.allocated]
@@ -77,7 +103,7 @@ class Ears:
         reads, who = interpreter, f"interpreter of {architecture}"
 
         def hear(heard: Heard) -> None:
-            self._enter(heard)
+            self._enter(key_of(heard))
             try:
                 signs = tuple(checked("a sign", sign, AllocationSign) for sign in reads.hear(heard))
             except Exception as error:
@@ -91,12 +117,6 @@ class Ears:
         except Exception as error:
             raise failure(who, error, "subscribing") from error
 
-    def _hear_anything(self, heard: Heard) -> None:
-        self._enter(heard)
-        robot = self._presence.owner(heard.topic, heard.caller)
-        if robot is not None:
-            self._team.hear(robot, heard)
-
     def _hears_busy(self, reader: TopicReader) -> Callback:
         # A busy message that names the task allocates it, unless its topic is listed for that by itself.
         listed = {(each.topic.name, each.topic.type) for each in self._topics.allocated}
@@ -105,10 +125,10 @@ class Ears:
         hold = self._topics.busy_timeout
 
         def hear(heard: Heard) -> None:
-            self._enter(heard)
+            self._enter(key_of(heard))
             robot = self._team.find_robot(reader.robot_of(heard))
             if robot is not None:
-                self._team.hear(robot, heard)
+                self._team.hear(robot, key_of(heard))
                 self._team.renew(robot, RobotState.BUSY, timeout)
                 if allocates:
                     self._statements.allocated(reader.task_of(heard), robot.id, hold, heard)
@@ -119,17 +139,17 @@ class Ears:
         timeout = reader.timeout
 
         def hear(heard: Heard) -> None:
-            self._enter(heard)
+            self._enter(key_of(heard))
             robot = self._team.find_robot(reader.robot_of(heard))
             if robot is not None:
-                self._team.hear(robot, heard)
+                self._team.hear(robot, key_of(heard))
                 self._team.renew(robot, RobotState.IDLE, timeout)
 
         return hear
 
     def _hears_incoming(self, reader: TopicReader) -> Callback:
         def hear(heard: Heard) -> None:
-            self._enter(heard)
+            self._enter(key_of(heard))
             self._team.appear(reader.task_of(heard))
 
         return hear
@@ -138,7 +158,7 @@ class Ears:
         timeout = max(reader.timeout, self._topics.busy_timeout)
 
         def hear(heard: Heard) -> None:
-            self._enter(heard)
+            self._enter(key_of(heard))
             robot_id = reader.robot_of(heard)
             self._hear_speaker(robot_id, heard)
             self._statements.allocated(reader.task_of(heard), robot_id, timeout, heard)
@@ -147,7 +167,7 @@ class Ears:
 
     def _hears_end(self, reader: TopicReader, progress: Progress) -> Callback:
         def hear(heard: Heard) -> None:
-            self._enter(heard)
+            self._enter(key_of(heard))
             robot_id = reader.robot_of(heard)
             self._hear_speaker(robot_id, heard)
             self._statements.reported(Report(reader.task_of(heard), robot_id, progress), heard)
@@ -155,7 +175,7 @@ class Ears:
         return hear
 
     def _hear_progress(self, heard: Heard) -> None:
-        self._enter(heard)
+        self._enter(key_of(heard))
         code = heard.fields["progress"]
         progress = Progress.of_code(code)
         if progress is None:
@@ -172,4 +192,4 @@ class Ears:
         """Count the robot that a message names as heard, unless somebody is known to have sent it."""
         robot = None if heard.caller else self._team.find_robot(robot_id)
         if robot is not None:
-            self._team.hear(robot, heard)
+            self._team.hear(robot, key_of(heard))

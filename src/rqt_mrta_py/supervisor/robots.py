@@ -6,15 +6,15 @@ import copy
 import math
 from typing import Optional
 
-from rqt_mrta_py.hooks import Heard
 from rqt_mrta_py.model import RobotInterval, RobotRecord, RobotState
 from rqt_mrta_py.supervisor.agenda import whole_nanoseconds
+from rqt_mrta_py.supervisor.message_key import MessageKey
 from rqt_mrta_py.supervisor.timeline import Timeline
 
 __all__ = ["RobotWatch"]
 
 
-_NOTHING = Heard("", "", -math.inf, {})
+_NOTHING: MessageKey = ("", -math.inf, -1)
 
 
 class RobotWatch:

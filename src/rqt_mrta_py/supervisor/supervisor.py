@@ -10,6 +10,7 @@ from typing import Callable, List, Mapping, Optional, Sequence, Set, Tuple
 from rqt_mrta_py.errors import HookError
 from rqt_mrta_py.hooks import (
     AllocationInterpreter,
+    Connection,
     Fact,
     Heard,
     IncidentRule,
@@ -17,6 +18,7 @@ from rqt_mrta_py.hooks import (
     Outgoing,
     RobotStateChanged,
     RuleSetup,
+    Sighting,
     Statistic,
     Subscription,
     TaskStateChanged,
@@ -26,6 +28,7 @@ from rqt_mrta_py.supervisor.desk import Desk
 from rqt_mrta_py.supervisor.ears import Callback, Ears
 from rqt_mrta_py.supervisor.failures import checked, failure
 from rqt_mrta_py.supervisor.journal import event_of_fact, event_of_incident, event_of_unreadable
+from rqt_mrta_py.supervisor.message_key import MessageKey, key_of
 from rqt_mrta_py.supervisor.news import event_news, fact_news, incident_news, team_news
 from rqt_mrta_py.supervisor.team import Team, TeamSetup
 from rqt_mrta_py.supervisor.topics import Topics
@@ -70,13 +73,17 @@ class Supervisor:
         self._team = Team(TeamSetup(robots, mission.tasks, topics.silence, mission.later_tasks), self._on_fact)
         self._ears = Ears(topics, self._team, self._enter, self.report)
         self._start: Optional[float] = None
-        self._message: Tuple[str, int] = ("", -1)
+        self._message: MessageKey = ("", 0.0, -1)
         self._time_of_fact = 0.0
         self._events: List[Event] = []
         # Built only if somebody asks: a review publishes nothing.
         self._news: List[Callable[[], Tuple[Outgoing, ...]]] = []
         self._unreadable: Set[Tuple[str, str]] = set()
         self._finished: Optional[MissionRecord] = None
+
+    def sighting(self, connection: Connection) -> Sighting:
+        """Give whom to tell first of all messages of a connection, before anybody hears them."""
+        return self._ears.sighting(connection)
 
     def listeners(self) -> Sequence[Tuple[Subscription, Callback]]:
         """Say what to hear, and who hears it; to be subscribed once, in this order.
@@ -97,7 +104,7 @@ class Supervisor:
             heard: what is known of the message.
             reason: why it cannot be read.
         """
-        self._enter(heard)
+        self._enter(key_of(heard))
         if (heard.topic, heard.type) not in self._unreadable:
             self._unreadable.add((heard.topic, heard.type))
             self._note(event_of_unreadable(heard, reason, self._team.now), self._team.now)
@@ -151,21 +158,20 @@ class Supervisor:
         """Give the whole team at a moment [s] as a message to publish."""
         return team_news(self.record(now), now)
 
-    def _enter(self, heard: Heard) -> None:
+    def _enter(self, message: MessageKey) -> None:
         """Come to a message: once for each, whoever hears it first."""
-        message = (heard.topic, heard.ordinal)
         if message == self._message:
             return
         self._message = message
-        team = self._team
+        team, receipt = self._team, message[1]
         if self._start is None:
-            self._start = self._time_of_fact = heard.receipt
-            team.begin(heard.receipt)
-            self._desk.begin(heard.receipt)
+            self._start = self._time_of_fact = receipt
+            team.begin(receipt)
+            self._desk.begin(receipt)
         if team.book.unsettled:
             team.settle()
-        if heard.receipt > team.now:
-            self._pass(heard.receipt)
+        if receipt > team.now:
+            self._pass(receipt)
 
     def _pass(self, until: float) -> None:
         agenda, desk, team = self._team.agenda, self._desk, self._team
@@ -184,7 +190,7 @@ class Supervisor:
 
     def _hears_rule(self, name: str) -> Callback:
         def hear(heard: Heard) -> None:
-            self._enter(heard)
+            self._enter(key_of(heard))
             self._desk.hear(name, heard)
 
         return hear

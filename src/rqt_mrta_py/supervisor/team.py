@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Callable, Dict, Optional, Tuple
 
@@ -28,6 +29,7 @@ from rqt_mrta_py.model import (
 from rqt_mrta_py.supervisor.agenda import Agenda, Due, due_after
 from rqt_mrta_py.supervisor.allocations import AllocationBook, Hold
 from rqt_mrta_py.supervisor.copies import Copies, watches_in
+from rqt_mrta_py.supervisor.message_key import MessageKey, evidence
 from rqt_mrta_py.supervisor.robots import RobotWatch
 from rqt_mrta_py.supervisor.tasks import TaskWatch, state_when_held
 
@@ -71,8 +73,7 @@ class Team:
         self._emit = emit
         self._later = {task.id: task for task in setup.later_tasks}
         self._open = not (setup.tasks or setup.later_tasks)
-        self._start = 0.0
-        self.now = 0.0
+        self._start = self.now = -math.inf
         self.agenda = Agenda()
         self.robots: Dict[str, RobotWatch] = {}
         self.tasks: Dict[str, TaskWatch] = {}
@@ -103,14 +104,14 @@ class Team:
             task = self._admit_task(task_id)
         return task
 
-    def hear(self, robot: RobotWatch, heard: Heard) -> None:
+    def hear(self, robot: RobotWatch, message: MessageKey) -> None:
         """Take in that a message of a robot came, on whatever topic."""
         robot.heard_at = self.now
-        robot.last_message = heard
+        robot.last_message = message
         if robot.silent:
             robot.silent = False
             self.agenda.put(due_after(self.now, self._setup.silence), robot.order, (Due.SILENCE, robot.id, ""))
-            self._emit(RobotHeard(self.now, robot.id, evidence(heard)), "")
+            self._emit(RobotHeard(self.now, robot.id, Evidence(*message)), "")
         if self.book.expired:
             self.book.hear(robot.id)
 
@@ -303,7 +304,7 @@ class Team:
             self.agenda.put(until, robot.order, (Due.SILENCE, robot.id, ""))
             return
         robot.silent = True
-        self._emit(RobotSilent(due, robot.id, evidence(robot.last_message)), "")
+        self._emit(RobotSilent(due, robot.id, Evidence(*robot.last_message)), "")
         for hold in self.book.of_robot(robot.id):
             self._lose(hold, due)
 
@@ -323,8 +324,3 @@ class Team:
             self.agenda.put(task.anonymous_until, task.order, (Due.ALLOCATION, "", task.id))
         else:
             self.update_task(task, due)
-
-
-def evidence(heard: Heard) -> Evidence:
-    """Point at a message."""
-    return Evidence(heard.topic, heard.receipt, heard.ordinal)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from itertools import count
-from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Set, Tuple
+from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Codec, Connection, FieldReader, Heard, Stamped, Subscription
+from rqt_mrta_py.hooks import Codec, Connection, FieldReader, Heard, Sighting, Stamped, Subscription
 from rqt_mrta_py.transport.fitting import reader_for
 from rqt_mrta_py.transport.patterns import TopicPattern, resolve_topic
 
@@ -53,11 +53,12 @@ class _Complaint(NamedTuple):
 class _Route:
     """Where the messages of one connection go."""
 
-    __slots__ = ("complaints", "connection", "met", "ordinals")
+    __slots__ = ("complaints", "connection", "met", "ordinals", "sightings")
 
     def __init__(self, connection: Connection, ordinals: Iterator[int]) -> None:
         self.connection = connection
         self.ordinals = ordinals
+        self.sightings: Tuple[Sighting, ...] = ()
         self.met: Tuple[_MetWish, ...] = ()
         self.complaints: List[_Complaint] = []
 
@@ -65,8 +66,9 @@ class _Route:
 class Dispatcher:
     """Hands on a stream of stamped messages, whatever its source.
 
-    Everybody hears in the order of subscribing. What cannot be read is reported once for each connection and
-    subscription, and never stops the stream; an exception of a callback does.
+    Who only wants to know that messages come is told first, then everybody hears, each in the order of subscribing.
+    What cannot be read is reported once for each connection and subscription, and never stops the stream; an exception
+    of a callback does.
 
     Args:
         codec: reads the messages.
@@ -76,6 +78,7 @@ class Dispatcher:
     def __init__(self, codec: Codec, report: Callable[[Heard, str], None]) -> None:
         self._codec = codec
         self._report = report
+        self._watchers: List[Callable[[Connection], Sighting]] = []
         self._wishes: List[_Wish] = []
         self._routes: Dict[Connection, _Route] = {}
         # Sources hand in the same Connection object again and again: its identity is found faster than its value.
@@ -95,8 +98,19 @@ class Dispatcher:
         """
         pattern = TopicPattern(resolve_topic(subscription.topic, _ROOT))
         self._wishes.append(_Wish(len(self._wishes), pattern, subscription, callback))
-        self._routes.clear()
-        self._by_identity.clear()
+        self._forget_routes()
+
+    def watch(self, sighting: Callable[[Connection], Sighting]) -> None:
+        """Tell somebody of each message from now on that it came.
+
+        This costs a fraction of a subscription to EVERYTHING, for what depends on the connection alone is asked for
+        once, and no Heard is made.
+
+        Args:
+            sighting: is asked for each connection, with its first message, whom to tell of its messages.
+        """
+        self._watchers.append(sighting)
+        self._forget_routes()
 
     def feed(self, stamped: Stamped) -> None:
         """Hand one message to everybody who wants it.
@@ -104,14 +118,31 @@ class Dispatcher:
         Args:
             stamped: the next message of the stream.
         """
-        connection, receipt_ns, raw = stamped
-        route = self._by_identity.get(id(connection)) or self._route(connection)
-        ordinal = next(route.ordinals)
-        if route.complaints:
-            self._complain_first(route, receipt_ns, ordinal)
-        if not route.met:
-            return
-        receipt = receipt_ns / 1_000_000_000
+        self.feed_many((stamped,))
+
+    def feed_many(self, messages: Sequence[Stamped]) -> None:
+        """Hand messages to everybody who wants them, one after another.
+
+        Args:
+            messages: the next ones of the stream.
+        """
+        by_identity = self._by_identity
+        last_ns, receipt = 0, 0.0
+        for connection, receipt_ns, raw in messages:
+            route = by_identity.get(id(connection)) or self._route(connection)
+            ordinal = next(route.ordinals)
+            if receipt_ns != last_ns:
+                last_ns, receipt = receipt_ns, receipt_ns / 1_000_000_000
+            if route.complaints:
+                self._complain_first(route, receipt, ordinal)
+            for sight in route.sightings:
+                sight(receipt, ordinal)
+            if route.met:
+                self._hand_on(route, receipt, ordinal, raw)
+
+    def _hand_on(self, route: _Route, receipt: float, ordinal: int, raw: bytes) -> None:
+        """Hand one message to all who hear it; a field that several want is read once."""
+        connection = route.connection
         topic, type_name, caller = connection.topic, connection.type, connection.caller
         read: Dict[Tuple[str, ...], Mapping[str, Any]] = {}
         for callback, robot, task, paths, reader, wish in route.met:
@@ -128,8 +159,12 @@ class Dispatcher:
                     continue
             callback(_new_heard(Heard, (topic, type_name, receipt, fields, robot, task, caller, ordinal)))
 
-    def _complain_first(self, route: _Route, receipt_ns: int, ordinal: int) -> None:
-        connection, receipt = route.connection, receipt_ns / 1_000_000_000
+    def _forget_routes(self) -> None:
+        self._routes.clear()
+        self._by_identity.clear()
+
+    def _complain_first(self, route: _Route, receipt: float, ordinal: int) -> None:
+        connection = route.connection
         while route.complaints:
             wish, robot, task, text = route.complaints.pop(0)
             heard = Heard(connection.topic, connection.type, receipt, _NOTHING, robot, task, connection.caller, ordinal)
@@ -163,4 +198,5 @@ class Dispatcher:
             else:
                 met.append(_MetWish(wish.callback, tokens[0], tokens[1], wish.subscription.fields, reader, wish))
         route.met = tuple(met)
+        route.sightings = tuple([sighting(connection) for sighting in self._watchers])
         return route

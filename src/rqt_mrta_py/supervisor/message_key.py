@@ -1,0 +1,23 @@
+"""What tells a message from all others, and points at it."""
+
+from __future__ import annotations
+
+from typing import Tuple
+
+from rqt_mrta_py.hooks import Heard
+from rqt_mrta_py.model import Evidence
+
+__all__ = ["MessageKey", "evidence", "key_of"]
+
+MessageKey = Tuple[str, float, int]
+"""Topic, receipt [s], and ordinal among the messages of the topic."""
+
+
+def key_of(heard: Heard) -> MessageKey:
+    """Give the key of a message."""
+    return heard.topic, heard.receipt, heard.ordinal
+
+
+def evidence(heard: Heard) -> Evidence:
+    """Point at a message."""
+    return Evidence(heard.topic, heard.receipt, heard.ordinal)
