@@ -52,7 +52,7 @@ class AddRobot:
         for task in self.tasks:
             if task not in known:
                 raise refused(option, self.id, f"{task!r} is no task; {accepted(task, known)}")
-        tasks = self.tasks or (tuple(known) if any(robot.tasks for robot in robots) else ())
+        tasks = tuple(dict.fromkeys(self.tasks)) or (tuple(known) if any(robot.tasks for robot in robots) else ())
         application = draft.xml.child(draft.xml.root, "application")
         holder = draft.xml.child(application, "robots")
         leaves = [("id", spelled(self.id, robot_nodes(draft).values()))]
@@ -182,7 +182,7 @@ def _existing(option: str, draft: Draft, name: str) -> etree._Element:
 
 
 def _check_new(option: str, name: str, robots: Tuple[ApplicationRobot, ...]) -> None:
-    if not is_legal_name(f"/{name}"):
+    if not name or not is_legal_name(f"/{name}"):
         raise refused(option, name, f"must be a name that ROS accepts: letters, digits and _ (got {shown(name)})")
     if any(robot.id == name for robot in robots):
         raise refused(option, name, "is the id of a robot already; give another")

@@ -66,7 +66,7 @@ class AddTask:
             raise refused(option, self.id, "has no kind and no place but its id, for there is no tasks.yaml; write one")
         elif not listing:
             raise refused(option, self.id, "has nowhere to stand, for there is no tasks.yaml; write one")
-        for robot in self.robots or listing:
+        for robot in dict.fromkeys(self.robots or listing):
             if robot in listing:
                 holder = draft.xml.child(nodes[robot], "tasks")
                 names = (each.node for each in draft.xml.numbered(holder, ["task"]))
