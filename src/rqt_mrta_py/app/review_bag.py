@@ -143,7 +143,12 @@ def _mission(host: Host, request: ReviewRequest, codec: Codec) -> Tuple[Mission,
     """Find out what the bag is about: what the user says, else what the bag itself says."""
     if request.application is not None:
         mission = load_mission(
-            host.registry, request.application, architecture=request.architecture, seed=None, checks=host.manager
+            host.registry,
+            request.application,
+            architecture=request.architecture,
+            seed=None,
+            checks=host.manager,
+            must_fit=False,
         )
         return mission, None
     if request.architecture is not None:

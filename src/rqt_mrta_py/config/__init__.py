@@ -7,6 +7,7 @@
 * ``yaml``: YAML text to values with lines, checked by tables that are also the documentation
 * ``tasks``, ``scenario``: the files with these tables
 * ``parameters``: templates and what is given to each robot's parameters
+* ``fitting``: whether an architecture can share out the tasks
 * ``substitution``: tokens such as ``@robot_id@``, in parameters and launch files
 * ``problems``: all problems of a file at once, each with where, what is wrong, what is accepted
 * ``files``: read whole; written whole or not at all

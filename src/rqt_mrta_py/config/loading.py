@@ -30,11 +30,13 @@ class LoadedTeam(NamedTuple):
         team: both of them, and the tasks.
         scenario: what is simulated; None if there is none.
         texts: of the files.
+        tasks_file: the tasks.yaml; None if there is none.
     """
 
     team: Team
     scenario: Optional[ScenarioSpec]
     texts: MissionTexts
+    tasks_file: Optional[Path] = None
 
 
 def load_team(
@@ -70,9 +72,8 @@ def load_team(
     if spec is None or tasks is None or problems:
         raise ConfigError(problems)
     team = Team(file.spec, source.file, spec, other.file, tasks)
-    return LoadedTeam(
-        team, scenario, MissionTexts(decode_xml(raw), decode_xml(other_raw), tasks_yaml or "", scenario_yaml or "")
-    )
+    texts = MissionTexts(decode_xml(raw), decode_xml(other_raw), tasks_yaml or "", scenario_yaml or "")
+    return LoadedTeam(team, scenario, texts, source.tasks)
 
 
 def tasks_of(file: ApplicationFile, path: str, text: Optional[str], tasks_path: str) -> Tuple[Task, ...]:

@@ -7,6 +7,7 @@ from typing import List, Optional, Sequence, Tuple
 from rqt_mrta_py.config.discovery.registration import RegistrationKind, Registry
 from rqt_mrta_py.config.discovery.source import find_source
 from rqt_mrta_py.config.files import read_file
+from rqt_mrta_py.config.fitting import misfit_problems
 from rqt_mrta_py.config.loading import attempt, load_team, scenario_of, tasks_of
 from rqt_mrta_py.config.parameters.parameter_file import parse_parameters
 from rqt_mrta_py.config.parameters.team import ParameterChecks, resolve_team
@@ -28,6 +29,7 @@ def load_mission(
     seed: Optional[int] = 0,
     overrides: Sequence[str] = (),
     checks: Optional[ParameterChecks] = None,
+    must_fit: bool = True,
 ) -> Mission:
     """Read everything that a mission needs.
 
@@ -38,6 +40,7 @@ def load_mission(
         seed: of the run; None if there is none.
         overrides: parameters, each ``<robot>/<path>=<value>``.
         checks: asks plugins about the parameters; None: they are not asked.
+        must_fit: refuse tasks that the architecture does not solve; what has been run already need not fit.
 
     Raises:
         DiscoveryError: application or architecture is not registered, and no file either.
@@ -46,7 +49,15 @@ def load_mission(
     """
     loaded = load_team(registry, application, architecture)
     team = loaded.team
-    parameters = {robot: found.values for robot, found in resolve_team(team, overrides, checks).items()}
+    problems: List[Problem] = []
+    if must_fit:
+        problems.extend(
+            misfit_problems(team.architecture, team.tasks, loaded.texts.tasks_yaml, str(loaded.tasks_file or ""))
+        )
+    resolved = attempt(problems, lambda: resolve_team(team, overrides, checks))
+    if resolved is None or problems:
+        raise ConfigError(problems)
+    parameters = {robot: found.values for robot, found in resolved.items()}
     first, later = _by_appearance(team.tasks, loaded.scenario)
     return Mission(team.application, team.architecture, first, parameters, loaded.scenario, seed, loaded.texts, later)
 
