@@ -9,6 +9,9 @@
 * ``parameters``: templates and what is given to each robot's parameters
 * ``fitting``: whether an architecture can share out the tasks
 * ``substitution``: tokens such as ``@robot_id@``, in parameters and launch files
+* ``loading``: application, architecture, tasks and scenario, checked against one another
+* ``generated``: parameter files and launch files written from an rqt_mrta.xml
+* ``editing``: changes of an application that keep what they do not change
 * ``problems``: all problems of a file at once, each with where, what is wrong, what is accepted
 * ``files``: read whole; written whole or not at all
 """
