@@ -4,16 +4,32 @@ from __future__ import annotations
 
 from typing import Callable, Iterable, Iterator, List, Tuple
 
+from rqt_mrta_py.app.doctor.clashes import check_clashes
+from rqt_mrta_py.app.doctor.dependencies import check_dependencies
 from rqt_mrta_py.app.doctor.files import check_files
+from rqt_mrta_py.app.doctor.installation import check_installation
+from rqt_mrta_py.app.doctor.launch_files import check_launch_files
+from rqt_mrta_py.app.doctor.launch_templates import check_launch_templates
+from rqt_mrta_py.app.doctor.manifests import check_manifest
 from rqt_mrta_py.app.doctor.subject import Subject
+from rqt_mrta_py.app.doctor.yaml_files import check_yaml_files
 from rqt_mrta_py.errors import ConfigError, MrtaError, Problem
 
 __all__ = ["CHECKS", "Check", "examine"]
 
 Check = Callable[[Subject], Iterator[Problem]]
-"""Gives what is wrong with a subject; the first that a ConfigError carries too."""
+"""Gives what is wrong with a subject; may raise a ConfigError too, whose problems then count."""
 
-CHECKS: Tuple[Check, ...] = (check_files,)
+CHECKS: Tuple[Check, ...] = (
+    check_files,
+    check_manifest,
+    check_dependencies,
+    check_installation,
+    check_launch_templates,
+    check_launch_files,
+    check_yaml_files,
+    check_clashes,
+)
 """In the order in which they are asked."""
 
 
