@@ -87,13 +87,15 @@ def _print_actions(plan: Configuration, writes: bool) -> None:
 
 
 def _print_diff(plan: Configuration) -> None:
+    from rqt_mrta_py.config.editing.telling import MANY_LINES
+
     for each in plan.changes:
         name = _shown(each.path)
         before, after = ((text or "").splitlines() for text in (each.before, each.after))
         print(f"--- {'/dev/null' if each.before is None else name}")
         print(f"+++ {'/dev/null' if each.after is None else name}")
         # As difflib.unified_diff, which takes lines that stand often, as those of parameters do, for noise.
-        matcher = difflib.SequenceMatcher(None, before, after, autojunk=False)
+        matcher = difflib.SequenceMatcher(None, before, after, autojunk=len(before) > MANY_LINES)
         for group in matcher.get_grouped_opcodes(3):
             _, first, _, third, _ = group[0]
             _, _, second, _, fourth = group[-1]

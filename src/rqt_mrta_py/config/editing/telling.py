@@ -11,7 +11,10 @@ from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.errors import Problem
 from rqt_mrta_py.model import normalise_id
 
-__all__ = ["as_options"]
+__all__ = ["MANY_LINES", "as_options"]
+
+MANY_LINES = 10_000
+"""Files longer than this are compared faster and more coarsely."""
 
 
 def as_options(
@@ -52,5 +55,6 @@ def as_options(
 def _lines(path: Path, text: str) -> Dict[int, int]:
     """Give the lines of a file by those of its edited text."""
     before = read_file(path).decode("utf-8", "replace").splitlines()
-    blocks = SequenceMatcher(None, before, text.splitlines(), autojunk=False).get_matching_blocks()
+    matcher = SequenceMatcher(None, before, text.splitlines(), autojunk=len(before) > MANY_LINES)
+    blocks = matcher.get_matching_blocks()
     return {block.b + step + 1: block.a + step + 1 for block in blocks for step in range(block.size)}
