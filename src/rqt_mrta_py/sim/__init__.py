@@ -13,6 +13,7 @@
 * ``radio``: how messages between robots travel
 * ``clocks``, ``faults``: what befell robots
 * ``scenario_events``: labels and operators' orders
+* ``scenario_problems``: all that keeps a scenario from being simulated, without building anything
 * ``simulation``: world, robots and scenario events, tick by tick
 * ``plugin``: registers all this by the same hooks that strangers use
 """
@@ -21,8 +22,9 @@ from __future__ import annotations
 
 from rqt_mrta_py.sim.radio import PerfectLink
 from rqt_mrta_py.sim.scenario_events import label_of, order_of
+from rqt_mrta_py.sim.scenario_problems import scenario_problems
 from rqt_mrta_py.sim.schedule import first_tick_at
 from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
 from rqt_mrta_py.sim.simulation import Simulation
 
-__all__ = ["PerfectLink", "SimulatedRobot", "Simulation", "first_tick_at", "label_of", "order_of"]
+__all__ = ["PerfectLink", "SimulatedRobot", "Simulation", "first_tick_at", "label_of", "order_of", "scenario_problems"]

@@ -8,7 +8,7 @@ from typing import Iterator, List, Sequence
 from rqt_mrta_py.hooks import PlacedRobot
 from rqt_mrta_py.model import Arena, Obstacle, Pose
 
-__all__ = ["placement_problems"]
+__all__ = ["distance_to", "placement_problems"]
 
 _TOUCH = 1e-9
 """Overlaps smaller than this are rounding [m]."""
@@ -76,15 +76,15 @@ def _overlaps_of(robot: PlacedRobot, arena: Arena, obstacles: Sequence[Obstacle]
     elif inside < radius - _TOUCH:
         yield f"{where} overlaps the wall by {radius - inside:.3g} m; keep its radius of {radius:g} m away from it"
     for obstacle in obstacles:
-        gap = _distance(start, obstacle) - radius
+        gap = distance_to(start, obstacle) - radius
         if gap < -_TOUCH:
             yield (
                 f"{where} overlaps obstacle {obstacle.id} by {-gap:.3g} m; keep its radius of {radius:g} m away from it"
             )
 
 
-def _distance(point: Pose, obstacle: Obstacle) -> float:
-    """Measure from a point to an obstacle's surface, negative inside [m]."""
+def distance_to(point: Pose, obstacle: Obstacle) -> float:
+    """Measure from a point to an obstacle's surface, seen from above; negative inside [m]."""
     dx, dy = point.x - obstacle.pose.x, point.y - obstacle.pose.y
     if obstacle.shape == "cylinder":
         return math.hypot(dx, dy) - obstacle.size[0] / 2

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Callable, Iterable, Iterator, List, Tuple
 
+from rqt_mrta_py.app.doctor.architecture import check_panels, check_taxonomy
 from rqt_mrta_py.app.doctor.clashes import check_clashes
 from rqt_mrta_py.app.doctor.dependencies import check_dependencies
 from rqt_mrta_py.app.doctor.files import check_files
@@ -11,7 +12,12 @@ from rqt_mrta_py.app.doctor.installation import check_installation
 from rqt_mrta_py.app.doctor.launch_files import check_launch_files
 from rqt_mrta_py.app.doctor.launch_templates import check_launch_templates
 from rqt_mrta_py.app.doctor.manifests import check_manifest
+from rqt_mrta_py.app.doctor.parameters import check_parameters
+from rqt_mrta_py.app.doctor.scenario import check_scenario
 from rqt_mrta_py.app.doctor.subject import Subject
+from rqt_mrta_py.app.doctor.tasks import check_tasks
+from rqt_mrta_py.app.doctor.team import check_agents, check_tasks_of_robots, check_taxonomy_of_tasks
+from rqt_mrta_py.app.doctor.topics import check_topics
 from rqt_mrta_py.app.doctor.yaml_files import check_yaml_files
 from rqt_mrta_py.errors import ConfigError, MrtaError, Problem
 
@@ -29,6 +35,15 @@ CHECKS: Tuple[Check, ...] = (
     check_launch_files,
     check_yaml_files,
     check_clashes,
+    check_taxonomy,
+    check_topics,
+    check_panels,
+    check_agents,
+    check_tasks_of_robots,
+    check_taxonomy_of_tasks,
+    check_tasks,
+    check_parameters,
+    check_scenario,
 )
 """In the order in which they are asked."""
 

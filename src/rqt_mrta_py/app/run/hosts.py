@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Mapping, Sequence
+from typing import Dict, List, Mapping, Sequence
 
 from rqt_mrta_py.app.guard import GuardedNavigator, guarded_allocators, made
 from rqt_mrta_py.app.run.chance import Purpose, generator
+from rqt_mrta_py.app.run.missing import missing_agents, missing_behaviour, missing_planner
 from rqt_mrta_py.errors import RobotError, UsageError
 from rqt_mrta_py.hooks import (
     Agent,
@@ -97,11 +98,9 @@ class HostMaker:
     def _make_behaviours(self, robot_id: str, tasks: Sequence[Task]) -> Dict[str, Behaviour]:
         """Make one robot's behaviours, one for each kind of task, round one navigator."""
         for task in tasks:
-            if task.kind not in self._behaviours:
-                raise RobotError(
-                    f"{robot_id}: task {task.id!r}: no plugin provides a behaviour for its kind {task.kind!r}; "
-                    f"there are behaviours for: {_listed(self._behaviours)}"
-                )
+            message = missing_behaviour(task, self._behaviours)
+            if message is not None:
+                raise RobotError(f"{robot_id}: task {task.id!r}: {message}")
         model, scenario = self._models[robot_id], self._scenario
         who = f"{robot_id}: planner {scenario.planner}"
         planner_setup = PlannerSetup(scenario.arena, scenario.obstacles, model.radius)
@@ -118,18 +117,14 @@ class HostMaker:
 
 
 def _planner(name: str, factories: Mapping[str, PlannerFactory]) -> PlannerFactory:
-    if name not in factories:
-        raise UsageError(f"scenario: planner: no plugin provides {name!r}; there are: {_listed(factories)}")
+    message = missing_planner(name, factories)
+    if message is not None:
+        raise UsageError(f"scenario: planner: {message}")
     return factories[name]
 
 
 def _agent_factory(package: str, factories: Mapping[str, AgentFactory]) -> AgentFactory:
-    if package not in factories:
-        raise UsageError(
-            f"{package}: no plugin provides agents for this architecture; there are agents for: {_listed(factories)}"
-        )
+    message = missing_agents(package, factories)
+    if message is not None:
+        raise UsageError(f"{package}: {message}")
     return factories[package]
-
-
-def _listed(names: Mapping[str, Any]) -> str:
-    return ", ".join(sorted(names)) or "none"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple, Optional, Union
+from typing import Any, NamedTuple, Optional, Union
 
 from rqt_mrta_py.config.yaml.text import YamlNode, parse_yaml
 from rqt_mrta_py.errors import ConfigError
@@ -14,8 +14,10 @@ _STEP = re.compile(r"[^/\[\]]+|\[[0-9]+\]")
 
 
 class _Reached(NamedTuple):
+    """How far a walk came: the line, and the value at its end, None where it ended early."""
+
     line: int
-    whole_way: bool
+    node: Optional[YamlNode]
 
 
 class YamlLines:
@@ -45,12 +47,17 @@ class YamlLines:
 
     def has(self, element: str) -> bool:
         """Tell whether the document gives a value."""
-        return self._walk(element).whole_way
+        return self._walk(element).node is not None
+
+    def value(self, element: str) -> Any:
+        """Give a value as nested builtins; None where there is none."""
+        node = self._walk(element).node
+        return None if node is None else node.plain()
 
     def _walk(self, element: str) -> _Reached:
         node = self._root
         if node is None:
-            return _Reached(0, False)
+            return _Reached(0, None)
         line = node.line
         for step in _STEP.findall(element):
             inner: Optional[YamlNode] = None
@@ -61,6 +68,6 @@ class YamlLines:
                 inner = node.value[int(step[1:-1])]
                 line = inner.line
             if inner is None:
-                return _Reached(line, False)
+                return _Reached(line, None)
             node = inner
-        return _Reached(line, True)
+        return _Reached(line, node)

@@ -1,0 +1,164 @@
+"""Whether an architecture's monitored topics can be read: known types, string fields, timeouts that go together."""
+
+from __future__ import annotations
+
+from typing import Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence
+
+from rqt_mrta_py.app.doctor.subject import Subject
+from rqt_mrta_py.config.problems import Problems
+from rqt_mrta_py.config.xml.element import Element, Text
+from rqt_mrta_py.errors import Problem, TransportError
+from rqt_mrta_py.hooks import Codec
+from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN, MonitoredTopic
+from rqt_mrta_py.transport.codec.definitions import Definition, parse_definition
+from rqt_mrta_py.wording import accepted
+
+__all__ = ["check_topics", "field_fault"]
+
+_OF_ROBOTS = (("robots", "busy_robots"), ("robots", "idle_robots"))
+_OF_TASKS = (
+    ("tasks", "incoming_tasks"),
+    ("tasks", "completed_tasks"),
+    ("tasks", "failed_tasks"),
+    ("allocations", "allocated_tasks"),
+)
+_PARTS = ("robots", "tasks", "allocations")
+_FIELDS = ("field", "robot_field", "task_field")
+_TASK_FIELDS = ("field", "task_field")
+
+
+class _Topic(NamedTuple):
+    """A topic that is filled in, as the file has it.
+
+    Attributes:
+        kind: the element that holds it, such as ``busy_robots``.
+        element: its own, read as far as it is asked about here.
+        texts: of its children.
+    """
+
+    kind: str
+    element: Element
+    texts: Mapping[str, Text]
+
+    @property
+    def name(self) -> str:
+        """Of the topic."""
+        return self.texts["name"].value
+
+    @property
+    def type(self) -> str:
+        """Of its messages."""
+        return self.texts["type"].value
+
+    @property
+    def timeout(self) -> float:
+        """How long a message counts [s]."""
+        return float(self.texts["timeout"].value) if "timeout" in self.texts else MonitoredTopic("", "").timeout
+
+    def problem(self, name: str, message: str) -> None:
+        """Note a problem of a child, where that stands if it does."""
+        self.element.problem(name, message, self.texts[name].line if name in self.texts else None)
+
+
+def check_topics(subject: Subject) -> Iterator[Problem]:
+    """Find topics that nobody could read, or that tell other things than their place in the file says."""
+    for architecture in subject.architectures:
+        if architecture.spec is None:
+            continue
+        problems = Problems(str(architecture.path))
+        topics = _read(Element(subject.root(architecture.path), "", problems))
+        codec = subject.host.codec()
+        for topic in topics:
+            _check_what_it_tells(topic)
+            _check_type(topic, codec)
+        _check_one_type_each(topics)
+        _check_flicker(topics)
+        yield from problems.found
+
+
+def field_fault(definition: Definition, path: str) -> Optional[str]:
+    """Say why no id can be read at a path of a message type; None if one can.
+
+    Args:
+        definition: of the type.
+        path: names of fields, joined by ``/``.
+    """
+    spec = definition.root
+    steps = path.split("/")
+    for depth, step in enumerate(steps):
+        found = next((item for item in spec.fields if item.name == step), None)
+        if found is None:
+            what = f"{step!r} of {path!r}" if len(steps) > 1 else repr(step)
+            return f"{spec.name} has no field {what}; {accepted(step, [item.name for item in spec.fields])}"
+        kind = f"an array of {found.type}" if found.is_array else f"of type {found.type}"
+        if depth + 1 == len(steps):
+            return None if kind == "of type string" else f"{path!r} is {kind}; give a field of type string"
+        if found.is_array or found.is_primitive:
+            return f"{path!r} leads through {step!r}, which is {kind}; give a path that ends in a field of type string"
+        spec = definition.specs[found.type]
+    return None
+
+
+def _read(root: Element) -> List[_Topic]:
+    architecture = root.child("architecture")
+    parts = {name: architecture.child(name) for name in _PARTS} if architecture is not None else {}
+    topics: List[_Topic] = []
+    for name, kind in (*_OF_ROBOTS, *_OF_TASKS):
+        part = parts.get(name)
+        holder = part.child(kind) if part is not None else None
+        if holder is None:
+            continue
+        for element in [*holder.repeated("topic"), *(entry.element for entry in holder.numbered(["topic"]))]:
+            # One that was never filled in counts for nothing.
+            if element.has("name"):
+                found = {child: element.text(child) for child in ("name", "type", "timeout", *_FIELDS)}
+                topics.append(_Topic(kind, element, {name: text for name, text in found.items() if text is not None}))
+    return topics
+
+
+def _check_what_it_tells(topic: _Topic) -> None:
+    """Note a topic of robots that names no robot, or one of tasks that names no task."""
+    of_robots = topic.kind in [kind for _, kind in _OF_ROBOTS]
+    what, token, fields = ("robot", ROBOT_TOKEN, _FIELDS[:1]) if of_robots else ("task", TASK_TOKEN, _TASK_FIELDS)
+    if token not in topic.name and not any(field in topic.texts for field in fields):
+        topic.problem(
+            "field", f"is missing, so that nothing tells the {what}; give the field with its id, or {token} in the name"
+        )
+
+
+def _check_type(topic: _Topic, codec: Codec) -> None:
+    """Note a type that nobody knows, or fields of it that hold no id."""
+    try:
+        definition = parse_definition(topic.type, codec.connection("/topic", topic.type).definition)
+    except TransportError as error:
+        topic.problem("type", str(error))
+        return
+    for name in _FIELDS:
+        fault = field_fault(definition, topic.texts[name].value) if name in topic.texts else None
+        if fault is not None:
+            topic.problem(name, fault)
+
+
+def _check_one_type_each(topics: Sequence[_Topic]) -> None:
+    """Note topics that are said to carry messages of two types."""
+    first: Dict[str, _Topic] = {}
+    for topic in topics:
+        other = first.setdefault(topic.name, topic)
+        if other.type != topic.type:
+            line = other.texts["type"].line
+            topic.problem("type", f"is {topic.type}, but {topic.name} carries {other.type} by line {line}; give one")
+
+
+def _check_flicker(topics: Sequence[_Topic]) -> None:
+    """Note allocations that end while their robots are busy with them."""
+    busy = [topic for topic in topics if topic.kind == "busy_robots"]
+    for topic in topics:
+        if topic.kind != "allocated_tasks" or not busy:
+            continue
+        least = min(other.timeout for other in [each for each in busy if each.name == topic.name] or busy)
+        if topic.timeout < least:
+            topic.problem(
+                "timeout",
+                f"is {topic.timeout:g} s, shorter than that of busy_robots, so that tasks seem to be given up while "
+                f"their robots are busy with them; give at least {least:g}",
+            )

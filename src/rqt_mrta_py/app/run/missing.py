@@ -1,0 +1,47 @@
+"""What a mission needs of plugins and nobody provides, in the words of ``mrta run`` and ``mrta doctor`` alike."""
+
+from __future__ import annotations
+
+from typing import Any, Mapping, Optional
+
+from rqt_mrta_py.model import Task
+
+__all__ = ["missing_agents", "missing_behaviour", "missing_planner"]
+
+
+def missing_agents(package: str, factories: Mapping[str, Any]) -> Optional[str]:
+    """Say that nobody provides agents for an architecture; None if somebody does.
+
+    Args:
+        package: of the architecture.
+        factories: of agents, by package.
+    """
+    if package in factories:
+        return None
+    return f"no plugin provides agents for this architecture; there are agents for: {_listed(factories)}"
+
+
+def missing_behaviour(task: Task, factories: Mapping[str, Any]) -> Optional[str]:
+    """Say that nobody provides a behaviour for a task's kind; None if somebody does.
+
+    Args:
+        task: to be carried out.
+        factories: of behaviours, by kind.
+    """
+    if task.kind in factories:
+        return None
+    return f"no plugin provides a behaviour for its kind {task.kind!r}; there are behaviours for: {_listed(factories)}"
+
+
+def missing_planner(name: str, factories: Mapping[str, Any]) -> Optional[str]:
+    """Say that nobody provides the planner that a scenario names; None if somebody does.
+
+    Args:
+        name: of the planner.
+        factories: of planners, by name.
+    """
+    return None if name in factories else f"no plugin provides {name!r}; there are: {_listed(factories)}"
+
+
+def _listed(names: Mapping[str, Any]) -> str:
+    return ", ".join(sorted(names)) or "none"
