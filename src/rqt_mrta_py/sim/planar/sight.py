@@ -6,7 +6,7 @@ angle, so of all rays only those that go its way are tried.
 
 from __future__ import annotations
 
-from typing import Optional, Sequence, Tuple
+from typing import NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -106,6 +106,7 @@ class _Rays:
         heights: of the rays [m], shape (robots,).
         directions: [rad] in the frame ``map``, shape (robots, rays).
         max_range: how far they go [m].
+        count: of each robot.
     """
 
     def __init__(self, poses: Floats, heights: Floats, bearings: Floats, max_range: float) -> None:
@@ -113,6 +114,7 @@ class _Rays:
         self.heights = heights
         self.directions: Floats = self.yaw[:, None] + bearings
         self.max_range = max_range
+        self.count = bearings.size
         turns = np.mod(bearings, _FULL_TURN)
         self._order: Rows = np.argsort(turns, kind="stable")
         sorted_turns = turns[self._order]
@@ -136,6 +138,23 @@ class _Rays:
         return np.repeat(np.arange(counts.size), counts), self._order[which % self._order.size]
 
 
+class _Tries(NamedTuple):
+    """Rays that go the way of a thing, one an element of every array.
+
+    Attributes:
+        cell: of the ray, among those of all robots, robot by robot.
+        thing: its row.
+        x, y: of its centre from where the ray begins [m].
+        direction: of the ray in the frame ``map`` [rad].
+    """
+
+    cell: Rows
+    thing: Rows
+    x: Floats
+    y: Floats
+    direction: Floats
+
+
 class _Things:
     """Things that can be seen, where they are now.
 
@@ -145,6 +164,8 @@ class _Things:
 
     def __init__(self, placed: Placed) -> None:
         self._footprints, self._poses, _ = placed
+        self._headings: Floats = np.array((np.cos(self._poses[2]), np.sin(self._poses[2])))
+        self._is_disc = self._footprints.rounding > 0.0
         self._cells = Cells(self._poses[0], self._poses[1])
         self.count = self._poses.shape[1]
 
@@ -159,7 +180,8 @@ class _Things:
         shapes, poses = self._footprints, self._poses
         robot, thing = self._cells.near(rays.x, rays.y, rays.max_range + shapes.widest)
         x, y = poses[0][thing] - rays.x[robot], poses[1][thing] - rays.y[robot]
-        near = np.flatnonzero(x * x + y * y <= (rays.max_range + shapes.radius[thing]) ** 2)
+        reach_squared = (rays.max_range + shapes.radius) ** 2
+        near = np.flatnonzero(x * x + y * y <= reach_squared[thing])
         robot, thing = robot[near], thing[near]
         height = rays.heights[robot]
         is_level = (shapes.low[thing] <= height) & (height <= shapes.high[thing])
@@ -174,34 +196,37 @@ class _Things:
         half_angle = np.where(is_beside, np.arcsin(radius / np.where(is_beside, distance, radius)), np.pi)
         pair, ray = rays.towards(bearing, half_angle)
         robot, thing, x, y = robot[pair], thing[pair], x[pair], y[pair]
-        direction = rays.directions[robot, ray]
-        is_disc = shapes.rounding[thing] > 0.0
-        disc, box = np.flatnonzero(is_disc), np.flatnonzero(~is_disc)
-        chosen = thing[box]
-        to_box = _to_box(x[box], y[box], direction[box], poses[2, chosen], shapes.half_size[:, chosen])
-        np.minimum.at(seen, (robot[box], ray[box]), to_box)
-        to_disc = _to_disc(x[disc], y[disc], direction[disc], shapes.rounding[thing[disc]])
-        np.minimum.at(seen, (robot[disc], ray[disc]), to_disc)
+        cell = robot * rays.count + ray
+        tries = _Tries(cell, thing, x, y, rays.directions.reshape(-1)[cell])
+        nearest = seen.reshape(-1)
+        if not self._is_disc.any():
+            np.minimum.at(nearest, cell, self._to_boxes(tries))
+            return
+        is_disc = self._is_disc[thing]
+        for chosen, measure in ((~is_disc, self._to_boxes), (is_disc, self._to_discs)):
+            some = _Tries(*(field[chosen] for field in tries))
+            np.minimum.at(nearest, some.cell, measure(some))
 
+    def _to_boxes(self, tries: _Tries) -> Floats:
+        """Measure along rays to boxes; infinity for a miss [m]."""
+        _, thing, x, y, direction = tries
+        cos, sin = self._headings[:, thing]
+        centre = np.array((cos * x + sin * y, cos * y - sin * x))
+        turned = direction - self._poses[2, thing]
+        ahead = np.array((np.cos(turned), np.sin(turned)))
+        ahead[ahead == 0.0] = _PARALLEL
+        # Where a ray goes from the side of the lower coordinates to the higher, it enters by the lower face.
+        ahead_half = np.copysign(self._footprints.half_size[:, thing], ahead)
+        with np.errstate(over="ignore"):
+            enters = np.maximum(*((centre - ahead_half) / ahead))
+            leaves = np.minimum(*((centre + ahead_half) / ahead))
+        return np.where((enters <= leaves) & (enters >= 0.0), enters, np.inf)
 
-def _to_box(x: Floats, y: Floats, direction: Floats, yaw: Floats, half_size: Floats) -> Floats:
-    """Measure along rays to boxes whose centres lie at x, y from their beginnings; infinity for a miss [m]."""
-    cos, sin = np.cos(yaw), np.sin(yaw)
-    centre = np.stack((cos * x + sin * y, cos * y - sin * x))
-    ahead = np.stack((np.cos(direction - yaw), np.sin(direction - yaw)))
-    ahead[ahead == 0.0] = _PARALLEL
-    # Where a ray goes from the side of the lower coordinates to the higher, it enters by the lower face.
-    ahead_half = np.copysign(half_size, ahead)
-    with np.errstate(over="ignore"):
-        enters = ((centre - ahead_half) / ahead).max(axis=0)
-        leaves = ((centre + ahead_half) / ahead).min(axis=0)
-    return np.where((enters <= leaves) & (enters >= 0.0), enters, np.inf)
-
-
-def _to_disc(x: Floats, y: Floats, direction: Floats, radius: Floats) -> Floats:
-    """Measure along rays to discs whose centres lie at x, y from their beginnings; infinity for a miss [m]."""
-    cos, sin = np.cos(direction), np.sin(direction)
-    along, across = cos * x + sin * y, cos * y - sin * x
-    half_chord_squared = radius * radius - across * across
-    enters = along - np.sqrt(np.maximum(half_chord_squared, 0.0))
-    return np.where((half_chord_squared >= 0.0) & (enters >= 0.0), enters, np.inf)
+    def _to_discs(self, tries: _Tries) -> Floats:
+        """Measure along rays to discs; infinity for a miss [m]."""
+        _, thing, x, y, direction = tries
+        cos, sin, radius = np.cos(direction), np.sin(direction), self._footprints.rounding[thing]
+        along, across = cos * x + sin * y, cos * y - sin * x
+        half_chord_squared = radius * radius - across * across
+        enters = along - np.sqrt(np.maximum(half_chord_squared, 0.0))
+        return np.where((half_chord_squared >= 0.0) & (enters >= 0.0), enters, np.inf)

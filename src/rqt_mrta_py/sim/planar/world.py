@@ -139,7 +139,8 @@ class PlanarWorld:
         Raises:
             SimError: no such robot.
         """
-        rows = np.array([self._row(robot) for robot in robots], dtype=np.intp)
+        known = self._rows
+        rows = np.array([known[robot] if robot in known else self._row(robot) for robot in robots], dtype=np.intp)
         return self._running.sight.ranges(rows, np.asarray(bearings, dtype=np.float64), max_range)
 
     def close(self) -> None:
