@@ -191,7 +191,7 @@ def _rules(command: CMakeCommand, values: Sequence[str], name: str) -> Iterator[
             given.setdefault(keyword, []).append(value)
             pattern = value if keyword in ("PATTERN", "REGEX") else pattern
     wanted = [each for each in given.get("PATTERN", []) if each not in excluded] if "FILES_MATCHING" in values else []
-    sources = [f"{source}/" if raw.endswith("/") else source for source, raw in zip(sources, values[1:])]
+    sources = [f"{source}/" if source and raw.endswith("/") else source for source, raw in zip(sources, values[1:])]
     place = given.get("DESTINATION", [""])[0]
     yield _Rule(
         is_folder=kind == "DIRECTORY",

@@ -55,7 +55,7 @@ def _told(team: Team, plain: ResolvedParameters, path: Tuple[str, ...], before: 
     if line:
         where = f"{where}:{line}"
     known = f"{where} says {shown(before)}" if before is not None else f"{where} says nothing of it"
-    return f"is {shown(value)} here and counts, but {known}; change it there and run mrta configure"
+    return f"is {shown(value)} here and counts, but {known}; set it in rqt_mrta.xml and run mrta configure"
 
 
 def _relative(source: str, team: Team) -> str:
