@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Dict, Iterator, Mapping, NamedTuple, Sequence, Tuple
+from typing import Dict, Iterator, List, Mapping, NamedTuple, Sequence, Tuple
 
 from rqt_mrta_py.app.compose import Host, compose
 from rqt_mrta_py.app.doctor.subject import Subject
@@ -44,7 +44,7 @@ def find_subjects(names: Sequence[str], environ: Mapping[str, str]) -> Found:
     Raises:
         DiscoveryError: there is nothing of a name.
     """
-    places = [_folder(path) for path in map(_path, names) if path.exists()]
+    places = _places(names, environ)
     # What is named stands before everything else, or else another package of its name would be examined.
     before = os.pathsep.join(dict.fromkeys(map(str, places)))
     joined = os.pathsep.join(part for part in (before, environ.get(_PATH, "")) if part)
@@ -62,12 +62,22 @@ def find_subjects(names: Sequence[str], environ: Mapping[str, str]) -> Found:
     return Found(tuple(subjects.values()), problems)
 
 
+def _places(names: Sequence[str], environ: Mapping[str, str]) -> List[Path]:
+    """List the folders that are named; a registered name goes before a folder of that name."""
+    paths = [(name, _path(name)) for name in names]
+    plain = any(os.sep not in name and path.is_dir() for name, path in paths)
+    registered = discover(environ).packages if plain else {}
+    folders = []
+    for name, path in paths:
+        if path.is_dir() and name not in registered:
+            folders.append(path)
+        elif path.is_file() and _manifest(path.parent).is_file():
+            folders.append(path.parent)
+    return folders
+
+
 def _path(name: str) -> Path:
     return Path(os.path.abspath(name))  # noqa: PTH100 - resolve() would follow links
-
-
-def _folder(path: Path) -> Path:
-    return path if path.is_dir() else path.parent
 
 
 def _is_below(path: Path, folder: Path) -> bool:

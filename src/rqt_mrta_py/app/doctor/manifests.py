@@ -11,10 +11,9 @@ from lxml import etree
 
 from rqt_mrta_py.app.doctor.dependencies import declared_dependencies
 from rqt_mrta_py.app.doctor.subject import Subject
-from rqt_mrta_py.config.discovery.manifest import HOSTS
-from rqt_mrta_py.config.files import read_file
+from rqt_mrta_py.config.discovery.manifest import HOSTS, MANIFEST
 from rqt_mrta_py.config.xml.text import line_of
-from rqt_mrta_py.errors import ConfigError, Problem
+from rqt_mrta_py.errors import Problem
 from rqt_mrta_py.wording import shown
 
 __all__ = ["check_manifest"]
@@ -23,7 +22,7 @@ _FILES = ("architecture", "application", "tasks", "scenario")
 _PREFIX = "${prefix}/"
 _BARE_PREFIX = re.compile(r"(?<!\$)\{prefix\}")
 _USERS = (".launch", ".msg", ".srv", ".action", ".py", ".cpp", ".h", ".hpp", ".xml", ".test", ".sh")
-_LARGEST = 1_000_000
+_MOST = 1_000_000
 
 
 def check_manifest(subject: Subject) -> Iterator[Problem]:
@@ -63,7 +62,7 @@ def _uses(folder: Path, host: str) -> bool:
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         for name in sorted(files):
             path = Path(here, name)
-            if not name.endswith(_USERS) or path == folder / "package.xml" or path.stat().st_size > _LARGEST:
+            if not name.endswith(_USERS) or path == folder / MANIFEST:
                 continue
             text = _content(path)
             # Of a registration that was forgotten the root element is all that mentions us.
@@ -76,8 +75,9 @@ def _uses(folder: Path, host: str) -> bool:
 
 def _content(path: Path) -> bytes:
     try:
-        return read_file(path)
-    except ConfigError:
+        with path.open("rb") as file:
+            return file.read(_MOST)
+    except OSError:
         return b""
 
 

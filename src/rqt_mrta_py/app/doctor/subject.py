@@ -10,6 +10,7 @@ from lxml import etree
 
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.config import Registration, RegistrationKind, Team
+from rqt_mrta_py.config.discovery.manifest import drop_namespace
 from rqt_mrta_py.config.discovery.source import Source, find_source
 from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.config.loading import attempt, scenario_of, tasks_of, yaml_text
@@ -98,7 +99,10 @@ class Subject:
             ConfigError: it cannot be read, or is not XML that is accepted here.
         """
         if path not in self._roots:
-            self._roots[path] = parse_xml(read_file(path), str(path))
+            root = parse_xml(read_file(path), str(path))
+            if path == self.manifest:
+                drop_namespace(root)
+            self._roots[path] = root
         return self._roots[path]
 
     def line(self, path: Path, element: str) -> int:

@@ -21,7 +21,7 @@ from rqt_mrta_py.config.xml.text import line_of, parse_xml
 from rqt_mrta_py.errors import Problem
 from rqt_mrta_py.wording import accepted, shown
 
-__all__ = ["HOSTS", "MANIFEST", "ROSBUILD_MANIFEST", "Manifest", "parse_manifest", "read_manifest"]
+__all__ = ["HOSTS", "MANIFEST", "ROSBUILD_MANIFEST", "Manifest", "drop_namespace", "parse_manifest", "read_manifest"]
 
 HOSTS = ("rqt_mrta", "rqt_mrta_py")
 """Packages that can be depended on, and names of export tags."""
@@ -81,7 +81,7 @@ def parse_manifest(raw: bytes, path: Path) -> Manifest:
     """
     problems = Problems(str(path))
     root = parse_xml(raw, str(path))
-    _drop_namespace(root)
+    drop_namespace(root)
     if root.tag != "package":
         problems.add(line_of(root), str(root.tag), "is not the root of a manifest; accepted: package")
     is_rosbuild = path.name == ROSBUILD_MANIFEST
@@ -214,7 +214,7 @@ def _depends(root: etree._Element, is_rosbuild: bool) -> bool:
     return any((node.text or "").strip() in HOSTS for tag in _RUN_TIME for node in root.iterfind(tag))
 
 
-def _drop_namespace(root: etree._Element) -> None:
+def drop_namespace(root: etree._Element) -> None:
     """Call elements by their plain names where the root declares a namespace for all; ROS's tools know none."""
     space, _, _ = str(root.tag).rpartition("}")
     if not space:
