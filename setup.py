@@ -96,7 +96,9 @@ setup(
     python_requires=">=3.8",
     package_dir={"": "src"},
     packages=find_packages("src"),
-    package_data={"rqt_mrta_py": ["py.typed", "config/schema/*.rng", "config/schema/*.json"]},
+    package_data={
+        "rqt_mrta_py": ["py.typed", "config/schema/*.rng", "config/schema/*.json", "config/packages/skeleton/*.in"]
+    },
     # Under catkin CMakeLists.txt installs these.
     data_files=[] if "CATKIN_BINARY_DIR" in os.environ else ros_files(),
     install_requires=[

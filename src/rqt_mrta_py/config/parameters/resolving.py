@@ -22,7 +22,10 @@ from rqt_mrta_py.model import (
 )
 from rqt_mrta_py.wording import accepted
 
-__all__ = ["ResolvedParameters", "locate_problems", "resolve_parameters"]
+__all__ = ["MANDATORY", "ResolvedParameters", "locate_problems", "resolve_parameters"]
+
+MANDATORY = "is mandatory and has no value"
+"""With this begins the message of a problem that a value would end."""
 
 _MOST_VALUES = 10_000
 
@@ -151,7 +154,7 @@ class _Resolver:
             text = item.value if item.value is not None else item.default
             if text is None and size is None:
                 where = Given(None, True, self._context.values_source, 0)
-                self._problem(place.path, where, f"is mandatory and has no value; give {WANTED[item.type]}")
+                self._problem(place.path, where, f"{MANDATORY}; give {WANTED[item.type]}")
                 return None
             given = Given(text, True, self._context.template_source, item.line)
         name = "/".join(place.path)

@@ -1,0 +1,186 @@
+"""Answers, and where each was given: a line of an answers file, a flag, a prompt."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Dict, List, Mapping, Sequence, Tuple
+
+from rqt_mrta_py.config.discovery.registration import RegistrationKind
+from rqt_mrta_py.config.files import read_file
+from rqt_mrta_py.config.packages.answers_form import ANSWERS, OPTIONAL
+from rqt_mrta_py.config.packages.entries import (
+    ParameterEntry,
+    RobotEntry,
+    TaskEntry,
+    TopicEntry,
+    ValueEntry,
+    parameter_entry,
+    robot_entry,
+    task_entry,
+    topic_entry,
+    value_entries,
+)
+from rqt_mrta_py.config.packages.place import Place
+from rqt_mrta_py.config.problems import Problems
+from rqt_mrta_py.config.yaml.rows import Row, read_document
+from rqt_mrta_py.config.yaml.text import parse_yaml
+from rqt_mrta_py.errors import ConfigError, Problem
+from rqt_mrta_py.model import Arena
+
+__all__ = ["Answer", "Answers", "entries_of_text", "flag_of", "read_answers"]
+
+
+@dataclass(frozen=True)
+class Answer:
+    """One answer.
+
+    Attributes:
+        value: in the type of its question; a table as the entry made of it.
+        place: where it was given.
+    """
+
+    value: Any
+    place: Place
+
+
+class Answers:
+    """What is known of a package that shall be made.
+
+    Args:
+        kind: ARCHITECTURE or APPLICATION.
+        given: by question.
+    """
+
+    def __init__(self, kind: RegistrationKind, given: Mapping[str, Answer]) -> None:
+        self.kind = kind
+        self._given = dict(given)
+
+    def __contains__(self, key: str) -> bool:
+        return key in self._given
+
+    def value(self, key: str, otherwise: Any = None) -> Any:
+        """Give an answer; ``otherwise`` where there is none."""
+        return self._given[key].value if key in self._given else otherwise
+
+    def text(self, key: str) -> str:
+        """Give an answer as text without blanks around it; empty where there is none."""
+        return str(self.value(key, "")).strip()
+
+    def place(self, key: str) -> Place:
+        """Tell where a question is, or else would be, answered."""
+        return self._given[key].place if key in self._given else Place(flag_of(key), 0, "")
+
+    def covered(self, others: Mapping[str, Answer]) -> Answers:
+        """Give these answers, others covering them."""
+        return Answers(self.kind, {**self._given, **others})
+
+    def problem(self, key: str, message: str) -> Problem:
+        """Say what is wrong with an answer, or with its absence."""
+        return self.place(key).problem(message)
+
+    @property
+    def robots(self) -> Sequence[RobotEntry]:
+        """The team."""
+        return tuple(self.value("robots", ()))
+
+    @property
+    def tasks(self) -> Sequence[TaskEntry]:
+        """What there is to do."""
+        return tuple(self.value("tasks", ()))
+
+    @property
+    def topics(self) -> Sequence[TopicEntry]:
+        """Monitored topics of an architecture."""
+        return tuple(self.value("topics", ()))
+
+    @property
+    def templates(self) -> Sequence[ParameterEntry]:
+        """Parameters that an architecture declares."""
+        return tuple(self.value("parameters", ()))
+
+    @property
+    def values(self) -> Sequence[ValueEntry]:
+        """Parameters that an application sets."""
+        return tuple(self.value("parameters", ()))
+
+
+def flag_of(key: str) -> str:
+    """Name the flag of the command line that answers a question."""
+    named = {
+        "package": "NAME",
+        "parameters": "--set",
+        "robots": "--robot",
+        "run_depends": "--run-depend",
+        "tasks": "--task",
+        "topics": "--topic",
+    }
+    return named.get(key, f"--{key.replace('_', '-')}")
+
+
+def read_answers(path: Path, kind: RegistrationKind) -> Answers:
+    """Read a file of answers.
+
+    Args:
+        path: of the file, YAML by the table in ``answers_form``.
+        kind: ARCHITECTURE or APPLICATION.
+
+    Returns:
+        What it answers; it need not answer everything.
+
+    Raises:
+        ConfigError: it cannot be read; or with everything that is wrong by its table.
+    """
+    problems = Problems(str(path))
+    row = read_document(parse_yaml(read_file(path), str(path)), OPTIONAL[kind], problems)
+    problems.raise_if_any()
+    given: Dict[str, Answer] = {}
+    found: List[Problem] = []
+    for key in row.given:
+        place = Place(str(path), *row.at(key))
+        try:
+            given[key] = Answer(_converted(kind, key, row.values[key], place), place)
+        except ConfigError as error:
+            found.extend(error.problems)
+    if found:
+        raise ConfigError(found)
+    return Answers(kind, given)
+
+
+def entries_of_text(key: str, text: str, flag: str) -> Tuple[Any, ...]:
+    """Read one topic or parameter of an architecture from a flag.
+
+    Args:
+        key: ``topics`` or ``parameters``.
+        text: a mapping as YAML has it, braces left out.
+        flag: that problems name.
+
+    Raises:
+        ConfigError: with everything that is wrong.
+    """
+    problems = Problems(flag)
+    table = next(each.table for each in ANSWERS[RegistrationKind.ARCHITECTURE].keys if each.name == key)
+    if table is None:
+        raise ValueError(key)
+    inner = text.strip()
+    try:
+        row = read_document(parse_yaml(inner if inner.startswith("{") else f"{{{inner}}}", flag), table, problems)
+        problems.raise_if_any()
+    except ConfigError as error:
+        # A flag has no lines.
+        raise ConfigError(Problem(flag, 0, each.element, each.message) for each in error.problems) from error
+    maker = topic_entry if key == "topics" else parameter_entry
+    return (replace(maker(row, flag, 1), place=Place(flag)),)
+
+
+def _converted(kind: RegistrationKind, key: str, value: Any, place: Place) -> Any:
+    """Turn rows of a file into what they stand for."""
+    if key == "parameters" and kind is RegistrationKind.APPLICATION:
+        return value_entries(value, place)
+    if key == "arena":
+        return Arena(**value.values)
+    makers = {"robots": robot_entry, "tasks": task_entry, "topics": topic_entry, "parameters": parameter_entry}
+    if key not in makers:
+        return value
+    rows: Tuple[Row, ...] = tuple(value)
+    return tuple(makers[key](row, place.path, number) for number, row in enumerate(rows, start=1))

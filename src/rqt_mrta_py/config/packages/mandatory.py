@@ -1,0 +1,84 @@
+"""Parameters of a new application that are mandatory and have no value yet."""
+
+from __future__ import annotations
+
+from typing import Iterable, NamedTuple, Optional, Sequence, Tuple
+
+from rqt_mrta_py.config.parameters.resolving import MANDATORY
+from rqt_mrta_py.errors import Problem
+from rqt_mrta_py.model import ArchitectureSpec, ArrayTemplate, ParameterTemplate, TemplateItem
+
+__all__ = ["MissingValue", "missing_values"]
+
+_INDEX = "@index@"
+
+
+class MissingValue(NamedTuple):
+    """A value that must be given.
+
+    Attributes:
+        path: robot or config first.
+        template: what the architecture says of it.
+    """
+
+    path: str
+    template: ParameterTemplate
+
+
+def missing_values(
+    problems: Iterable[Problem], robots: Sequence[str], architecture: ArchitectureSpec
+) -> Tuple[MissingValue, ...]:
+    """Find out which values would end problems.
+
+    Args:
+        problems: of an application.
+        robots: its ids.
+        architecture: whose templates it fills in.
+
+    Returns:
+        The values, in the order of the problems; nothing for a problem that no value ends.
+    """
+    found = []
+    for problem in problems:
+        if problem.message.startswith(MANDATORY):
+            value = _find(problem.element, robots, architecture)
+            if value is not None:
+                found.append(value)
+    return tuple(found)
+
+
+def _find(element: str, robots: Sequence[str], architecture: ArchitectureSpec) -> Optional[MissingValue]:
+    for config in architecture.configs:
+        if config.id == architecture.robot_config_id:
+            named = [(f"{robot}/", element[len(robot) + 1 :]) for robot in robots if element.startswith(f"{robot}/")]
+        else:
+            named = [(f"{config.id}/", element)]
+        for prefix, rest in named:
+            template = _template(config.items, rest.split("/"))
+            if template is not None:
+                return MissingValue(prefix + rest, template)
+    return None
+
+
+def _template(items: Sequence[TemplateItem], path: Sequence[str]) -> Optional[ParameterTemplate]:
+    for item in items:
+        name = f"{item.name}{_INDEX}" if isinstance(item, ArrayTemplate) and _INDEX not in item.name else item.name
+        parts = name.split("/")
+        if len(parts) > len(path) or not all(_fits(one, other) for one, other in zip(parts, path)):
+            continue
+        rest = path[len(parts) :]
+        if isinstance(item, ParameterTemplate):
+            if not rest:
+                return item
+        else:
+            found = _template(item.items, rest)
+            if found is not None:
+                return found
+    return None
+
+
+def _fits(pattern: str, name: str) -> bool:
+    before, token, after = pattern.partition(_INDEX)
+    if not token:
+        return pattern == name
+    return name.startswith(before) and name.endswith(after) and name[len(before) : len(name) - len(after)].isdigit()
