@@ -88,7 +88,11 @@ def _import(module: str, registration: Registration) -> ModuleType:
         source = registration.folder / "src"
         if str(source) in sys.path or not source.is_dir():
             raise
-    # A package that is neither installed nor sourced; behind everything that is.
+    # A package that is neither installed nor sourced; behind everything that is. Where the package's own folder lies
+    # in the current one, Python may have taken it for a namespace of the module's name.
+    name = module.partition(".")[0]
+    if name in sys.modules and getattr(sys.modules[name], "__file__", None) is None:
+        del sys.modules[name]
     sys.path.append(str(source))
     importlib.invalidate_caches()
     return importlib.import_module(module)
