@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Iterable, Iterator, List, Sequence
 
 import rqt_mrta_py.config.schema
+from rqt_mrta_py.config.packages.answers_form import ANSWERS
 from rqt_mrta_py.config.schema.exports import EXPORTS
 from rqt_mrta_py.config.schema.forms import Content, ElementForm, XmlForm
 from rqt_mrta_py.config.schema.relax_ng import HIGHEST_NUMBER
@@ -92,6 +93,8 @@ def render() -> str:
     parts += tokens()
     parts.append(LAYERS)
     for table in YAML_FORMS:
+        parts += yaml_file(table)
+    for table in ANSWERS.values():
         parts += yaml_file(table)
     parts += shipped()
     return "\n".join(parts).rstrip() + "\n"

@@ -68,7 +68,7 @@ def _add_architecture(parser: argparse.ArgumentParser) -> None:
         metavar="KEYS",
         dest="parameters",
         action="append",
-        help="a parameter of every robot, such as 'name: speed, type: double, default: \"0.3\", tool_tip: Enter it.'",
+        help="a parameter of every robot, such as 'name: speed, type: double, tool_tip: \"Enter it [m/s].\"'",
     )
     group.add_argument(
         "--no-plugin",

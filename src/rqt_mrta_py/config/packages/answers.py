@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Dict, List, Mapping, Sequence, Tuple
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.config.discovery.registration import RegistrationKind
 from rqt_mrta_py.config.files import read_file
@@ -50,14 +51,26 @@ class Answers:
     Args:
         kind: ARCHITECTURE or APPLICATION.
         given: by question.
+        problems: what is wrong with further answers, by question.
     """
 
-    def __init__(self, kind: RegistrationKind, given: Mapping[str, Answer]) -> None:
+    def __init__(
+        self,
+        kind: RegistrationKind,
+        given: Mapping[str, Answer],
+        problems: Optional[Mapping[str, Sequence[Problem]]] = None,
+    ) -> None:
         self.kind = kind
         self._given = dict(given)
+        self._problems = dict(problems or {})
 
     def __contains__(self, key: str) -> bool:
         return key in self._given
+
+    @property
+    def refused(self) -> Mapping[str, Sequence[Problem]]:
+        """What is wrong, by question, with answers that cannot be read; by an empty name, with none in particular."""
+        return self._problems
 
     def value(self, key: str, otherwise: Any = None) -> Any:
         """Give an answer; ``otherwise`` where there is none."""
@@ -73,7 +86,8 @@ class Answers:
 
     def covered(self, others: Mapping[str, Answer]) -> Answers:
         """Give these answers, others covering them."""
-        return Answers(self.kind, {**self._given, **others})
+        refused = {key: problems for key, problems in self._problems.items() if key not in others}
+        return Answers(self.kind, {**self._given, **others}, refused)
 
     def problem(self, key: str, message: str) -> Problem:
         """Say what is wrong with an answer, or with its absence."""
@@ -126,25 +140,27 @@ def read_answers(path: Path, kind: RegistrationKind) -> Answers:
         kind: ARCHITECTURE or APPLICATION.
 
     Returns:
-        What it answers; it need not answer everything.
+        What it answers, which need not be everything; what is wrong by its table is told there.
 
     Raises:
-        ConfigError: it cannot be read; or with everything that is wrong by its table.
+        ConfigError: it cannot be read, or is not YAML.
     """
     problems = Problems(str(path))
     row = read_document(parse_yaml(read_file(path), str(path)), OPTIONAL[kind], problems)
-    problems.raise_if_any()
+    refused: Dict[str, List[Problem]] = {}
+    for problem in problems.found:
+        key = re.split(r"[/\[]", problem.element)[0]
+        refused.setdefault(key if key in row.values else "", []).append(problem)
     given: Dict[str, Answer] = {}
-    found: List[Problem] = []
     for key in row.given:
+        if key in refused:
+            continue
         place = Place(str(path), *row.at(key))
         try:
             given[key] = Answer(_converted(kind, key, row.values[key], place), place)
         except ConfigError as error:
-            found.extend(error.problems)
-    if found:
-        raise ConfigError(found)
-    return Answers(kind, given)
+            refused[key] = list(error.problems)
+    return Answers(kind, given, refused)
 
 
 def entries_of_text(key: str, text: str, flag: str) -> Tuple[Any, ...]:

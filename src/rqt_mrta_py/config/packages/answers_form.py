@@ -119,10 +119,14 @@ _APPLICATION = (
 
 ANSWERS: Mapping[RegistrationKind, Table] = {
     RegistrationKind.ARCHITECTURE: Table(
-        "answers on an architecture", "What mrta new architecture --answers reads.", (*_PACKAGE, *_ARCHITECTURE)
+        "answers of a new architecture",
+        "What `mrta new architecture --answers FILE` reads; flags win over it.",
+        (*_PACKAGE, *_ARCHITECTURE),
     ),
     RegistrationKind.APPLICATION: Table(
-        "answers on an application", "What mrta new application --answers reads.", (*_PACKAGE, *_APPLICATION)
+        "answers of a new application",
+        "What `mrta new application --answers FILE` reads; flags win over it.",
+        (*_PACKAGE, *_APPLICATION),
     ),
 }
 """The questions of either kind of package, in the order in which they are asked and checked."""

@@ -63,7 +63,7 @@ def architecture_files(answers: Answers, described: PackageDescription) -> Dict[
     with_plugin = bool(answers.value("plugin", True))
     exported = {"architecture": "${prefix}/rqt_mrta.xml"}
     dependencies: List[Tuple[str, List[str]]] = [("buildtool_depend", ["catkin"])]
-    needed = [*described.run_depends, "rqt_mrta_py"]
+    needed = [*described.run_depends, "rqt_mrta_py", *(entry.topic.type.partition("/")[0] for entry in answers.topics)]
     files: Dict[str, str] = {}
     if with_plugin:
         exported["plugin"] = f"{package}.plugin"

@@ -51,14 +51,17 @@ def must_be_asked(kind: RegistrationKind) -> Tuple[str, ...]:
 
 def find_problems(answers: Answers, around: Surroundings) -> Iterator[Problem]:
     """Find everything that is wrong with answers, missing ones among them."""
+    for problems in answers.refused.values():
+        yield from problems
     mandatory = must_be_asked(answers.kind)
     for key in ANSWERS[answers.kind].keys:
-        if key.name in answers or key.name in mandatory:
+        if key.name in answers or (key.name in mandatory and key.name not in answers.refused):
             message = wrong_with(key.name, answers.value(key.name, ""), around)
             if message:
                 yield answers.problem(key.name, message)
     if answers.kind is RegistrationKind.APPLICATION:
-        yield from _of_robots(answers.robots, answers.tasks)
+        known = None if "tasks" in answers.refused else [entry.task.id for entry in answers.tasks]
+        yield from _of_robots(answers.robots, known)
         yield from _of_tasks(answers.tasks, around)
     else:
         if answers.value("plugin", True) and keyword.iskeyword(answers.text("package")):
@@ -156,8 +159,7 @@ _CHECKS: Dict[str, Callable[[Any, Surroundings], Optional[str]]] = {
 }
 
 
-def _of_robots(robots: Sequence[RobotEntry], tasks: Sequence[TaskEntry]) -> Iterator[Problem]:
-    known = [task.task.id for task in tasks]
+def _of_robots(robots: Sequence[RobotEntry], tasks: Optional[Sequence[str]]) -> Iterator[Problem]:
     seen: Dict[str, None] = {}
     for robot in robots:
         message = _wrong_with_id(robot.id, "robot", seen)
@@ -166,8 +168,8 @@ def _of_robots(robots: Sequence[RobotEntry], tasks: Sequence[TaskEntry]) -> Iter
         if robot.tasks is not None and not robot.tasks:
             yield robot.place.problem(f"{robot.id}: Enter the robot tasks.")
         for name in robot.tasks or ():
-            if name not in known:
-                yield robot.place.problem(f"{robot.id}: {name!r} is no task; {accepted(name, known)}")
+            if tasks is not None and name not in tasks:
+                yield robot.place.problem(f"{robot.id}: {name!r} is no task; {accepted(name, dict.fromkeys(tasks))}")
 
 
 def _of_tasks(tasks: Sequence[TaskEntry], around: Surroundings) -> Iterator[Problem]:

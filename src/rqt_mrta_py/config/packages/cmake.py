@@ -22,7 +22,7 @@ def cmake_text(package: str, files: Iterable[str], folders: Iterable[str] = (), 
     share = "${CATKIN_PACKAGE_SHARE_DESTINATION}"
     lines = ["cmake_minimum_required(VERSION 3.5)", f"project({package})", ""]
     if python:
-        # catkin_lint takes every attribute called plugin for a file of pluginlib.
+        lines += ["# A plugin of rqt_mrta_py is a module, no file of pluginlib."]
         lines += ["#catkin_lint: ignore plugin_export_prefix", ""]
     lines += ["find_package(catkin REQUIRED)", *(["catkin_python_setup()"] if python else []), "catkin_package()", ""]
     lines.append(f"install(FILES {' '.join(sorted(files))} DESTINATION {share})")
