@@ -17,6 +17,9 @@ _KEYWORDS = (
     *("USE_SOURCE_PERMISSIONS", "FILE_PERMISSIONS", "DIRECTORY_PERMISSIONS", "MESSAGE_NEVER"),
     *("FILES_MATCHING", "PATTERN", "REGEX", "EXCLUDE"),
 )
+_LONGEST = 100_000
+"""Characters that one argument may come to."""
+
 _SHARE = "share"
 _PYTHON = "python"
 
@@ -141,6 +144,10 @@ def _expanded(arguments: Iterable[CMakeArgument], variables: Dict[str, List[str]
         texts = [argument.text]
         for _ in range(len(_VARIABLE.findall(argument.text))):
             texts = [replaced for text in texts for replaced in _replaced(text, variables)]
+            if sum(map(len, texts)) > _LONGEST:
+                # Variables that double one another; what they hold stays unknown.
+                texts = [argument.text]
+                break
         if argument.quoted:
             values.append(";".join(texts) if len(texts) > 1 else "".join(texts))
         else:
