@@ -6,14 +6,14 @@ from hypothesis import strategies as st
 from rqt_mrta_py.model import Pose, RobotSetup, SensorSetup
 from rqt_mrta_py.sim.sensing.alike import alike_sensors
 
-SETUPS = st.builds(
-    SensorSetup,
-    st.sampled_from(["localiser", "odometry"]),
-    st.sampled_from(["a", "b"]),
-    st.sampled_from([5.0, 10.0]),
-    st.sampled_from([{}, {"noise": 0.1}, {"noise": 0.1, "bias": [1, 2]}, {"bias": [1, 2], "noise": 0.1}]),
-)
-TEAMS = st.lists(st.lists(SETUPS, max_size=4).map(tuple), max_size=5)
+SETUPS = [
+    SensorSetup(kind, topic, rate, parameters)
+    for kind in ("localiser", "odometry")
+    for topic in ("a", "b")
+    for rate in (5.0, 10.0)
+    for parameters in ({}, {"noise": 0.1}, {"noise": 0.1, "bias": [1, 2]}, {"bias": [1, 2], "noise": 0.1})
+]
+TEAMS = st.lists(st.lists(st.sampled_from(SETUPS), max_size=4).map(tuple), max_size=5)
 
 
 def robots(team):
