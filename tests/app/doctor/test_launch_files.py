@@ -58,8 +58,11 @@ def test_an_argument_with_a_fixed_value_cannot_be_given(workspace: Workspace) ->
 
 
 def test_whoever_passes_all_arguments_on_may_lack_none(workspace: Workspace) -> None:
-    text = '<launch><include file="$(find auction)/launch/bidder.launch" pass_all_args="true"/></launch>'
-    workspace.write("yard/launch/team.launch", text)
+    include = '<include file="$(find auction)/launch/bidder.launch" pass_all_args="true">{}</include>'
+    workspace.write("yard/launch/team.launch", f"<launch>{include.format('')}</launch>")
+    assert workspace.told() == []
+    unknown = include.format('<arg name="unknown" value="1"/>')
+    workspace.write("yard/launch/team.launch", f"<launch>{unknown}</launch>")
     assert workspace.told() == []
 
 

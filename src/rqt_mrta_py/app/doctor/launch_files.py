@@ -77,6 +77,9 @@ def check_inclusion(
         return
     for name, line in inclusion.arguments.items():
         if name not in declared:
+            if inclusion.passes_all:
+                # roslaunch then asks for no use of any.
+                continue
             message = f"{target.name} declares no argument {name!r}; {accepted(name, declared)}"
             yield Problem(str(path), line, f"{element}/arg", message)
         elif declared[name].value is not None:
