@@ -3,7 +3,12 @@
 * ``examination``: the table of checks, and all of them on all subjects; the place to begin
 * ``finding``: from what the user names to the packages that are meant
 * ``subject``: one package and its files, each read when a check asks for it
-* one module for each kind of thing that is checked; a check is a function that gives problems of a subject
+* ``files``: what the readers find; ``manifests``, ``dependencies``, ``clashes``: what a package says of others
+* ``installation``: what an installation would lack; ``install_rules``: what is installed, by ``cmake_commands``
+* ``launch_files``, ``launch_templates``: inclusions and arguments; ``launch_text``: roslaunch's XML
+* ``yaml_files``: parameter files against rqt_mrta.xml
+* ``architecture``, ``topics``, ``team``, ``parameters``, ``tasks``, ``scenario``, ``scenario_places``: files held
+  against one another, and against plugins and message types
 """
 
 from __future__ import annotations
