@@ -1,14 +1,15 @@
 """Batches: the messages of a tick as one piece of bytes, from one process of a mission to another.
 
-A connection is said once, with the first batch that needs it, and is a number from then on. Columns go through
-``marshal``, which both ends share, for they run the same interpreter; it is no format for files or strangers.
+A connection is said once, with the first batch that needs it, and is a number from then on; messages that came together
+have one time of receipt. Columns go through ``marshal``, which both ends share, for they run the same interpreter; it
+is no format for files or strangers.
 """
 
 from __future__ import annotations
 
 import marshal
-from functools import partial
-from typing import Dict, List, Sequence, Tuple
+from itertools import chain, groupby, repeat, starmap
+from typing import Any, Dict, List, Sequence, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Connection, Stamped
@@ -20,7 +21,7 @@ _MARSHAL_VERSION = 2
 
 _Row = Tuple[str, str, str, str, str, bool]
 
-_stamped = partial(tuple.__new__, Stamped)
+_new_stamped: Any = tuple.__new__
 """Makes a Stamped of one row of the columns without a call of Python code."""
 
 
@@ -40,11 +41,12 @@ class BatchPacker:
         """
         new: List[_Row] = []
         connections, receipts, raws = zip(*messages) if messages else ((), (), ())
+        runs = [(receipt_ns, len(list(run))) for receipt_ns, run in groupby(receipts)]
         try:
             numbers = list(map(self._by_identity.__getitem__, map(id, connections)))
         except KeyError:
             numbers = [self._number(connection, new) for connection in connections]
-        return marshal.dumps((new, numbers, receipts, raws), _MARSHAL_VERSION)
+        return marshal.dumps((new, numbers, runs, raws), _MARSHAL_VERSION)
 
     def _number(self, connection: Connection, new: List[_Row]) -> int:
         number = self._numbers.get(connection)
@@ -83,9 +85,13 @@ class BatchUnpacker:
             TransportError: the batch is not whole, or one before it was left out.
         """
         try:
-            new, numbers, receipts, raws = marshal.loads(batch)
+            new, numbers, runs, raws = marshal.loads(batch)
             self._connections.extend(Connection(*row) for row in new)
-            return list(map(_stamped, zip(map(self._connections.__getitem__, numbers), receipts, raws)))
+            connections, receipts = (
+                map(self._connections.__getitem__, numbers),
+                chain.from_iterable(starmap(repeat, runs)),
+            )
+            return list(map(_new_stamped, repeat(Stamped), zip(connections, receipts, raws)))
         except (EOFError, LookupError, TypeError, ValueError) as error:
             raise TransportError(
                 f"a batch of {len(batch)} bytes cannot be unpacked: {error}; it takes every batch whole and in order"
