@@ -21,6 +21,7 @@ from rqt_mrta_py.config.packages.entries import TaskEntry
 from rqt_mrta_py.config.packages.layout import Layout, lay_out
 from rqt_mrta_py.config.packages.manifest import manifest_text
 from rqt_mrta_py.config.packages.scenario_text import scenario_text, tasks_text
+from rqt_mrta_py.config.parameters.resolving import MANDATORY
 from rqt_mrta_py.config.parameters.team import ParameterChecks
 from rqt_mrta_py.config.xml.architecture import read_architecture
 from rqt_mrta_py.config.xml.writing import write_application
@@ -163,6 +164,8 @@ def _told(error: ConfigError, answers: Answers, folder: Path, shown: Path) -> Li
     for problem in error.problems:
         if problem.path == "--set" and problem.element in given and given[problem.element].line:
             told.append(given[problem.element].problem(problem.message))
+        elif problem.message.startswith(MANDATORY):
+            told.append(Problem("--set", 0, problem.element, problem.message))
         elif problem.path.startswith(str(folder)):
             path = str(shown) + problem.path[len(str(folder)) :]
             told.append(Problem(path, 0, problem.element, problem.message))
