@@ -13,6 +13,16 @@ def test_sound_packages_raise_nothing(workspace: Workspace) -> None:
     assert workspace.told() == []
 
 
+def test_a_sound_rosbuild_package_raises_nothing(workspace: Workspace) -> None:
+    text = (
+        '<package><depend package="rqt_mrta"/><depend package="nearest_robot_msgs"/><depend package="auction"/>'
+        '<export><rqt_mrta architecture="${prefix}/rqt_mrta.xml"/></export></package>'
+    )
+    workspace.write("old/manifest.xml", text)
+    (workspace.folder / "auction/rqt_mrta.xml").rename(workspace.folder / "old/rqt_mrta.xml")
+    assert workspace.told("old") == []
+
+
 def test_a_dependency_without_export_is_told_where_it_stands(workspace: Workspace) -> None:
     workspace.write("forgetful/package.xml", manifest("forgetful", "rqt_mrta", tag=""))
     assert workspace.told("forgetful") == [

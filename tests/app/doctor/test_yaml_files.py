@@ -80,3 +80,14 @@ def test_generated_files_for_an_architecture_that_is_not_there_are_told(workspac
         "yard/config/auctoin/robot1_bidder.yaml: config: is for the architecture 'auctoin', which is not registered; "
         "nearest is 'auction'"
     )
+
+
+def test_files_for_other_architectures_are_held_against_the_robots_too(workspace: Workspace) -> None:
+    with_config(workspace)
+    workspace.write("yard/config/mrta_alliance/robot1_alliance_params.yaml", "spin_rate: 5.0\n")
+    assert workspace.told() == []
+    workspace.write("yard/config/mrta_alliance/robt1_alliance_params.yaml", "spin_rate: 5.0\n")
+    assert workspace.told() == [
+        "yard/config/mrta_alliance/robt1_alliance_params.yaml: config: is for the robot 'robt1', which the application "
+        "does not name; nearest is 'robot1'"
+    ]

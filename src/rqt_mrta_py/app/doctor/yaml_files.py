@@ -5,9 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, Dict, Iterator, List, Mapping, Sequence, Tuple
 
+from rqt_mrta_py.app.catalogue.entries import architecture_of
 from rqt_mrta_py.app.doctor.subject import ApplicationFiles, Subject
 from rqt_mrta_py.config import Team, config_name, resolve_shared, resolve_team
-from rqt_mrta_py.config.discovery.registration import RegistrationKind
+from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind
 from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.config.generated.files import generated_files
 from rqt_mrta_py.config.generated.marks import is_generated
@@ -123,15 +124,25 @@ def _strangers(subject: Subject, application: ApplicationFiles, team: Team) -> I
         yield from _strange_files(folder, robots, team.template.id, [each.id for each in team.architecture.configs])
     if not folder.is_dir():
         return
-    architectures = {
-        entry.package for entry in subject.host.registry.of_kind(RegistrationKind.ARCHITECTURE) if not entry.problems
-    }
+    registry = subject.host.registry
+    known = dict.fromkeys(entry.package for entry in registry.of_kind(RegistrationKind.ARCHITECTURE))
     for inner in sorted(each for each in folder.iterdir() if each.is_dir()):
+        if inner.name in known:
+            yield from _strange_copies(inner, robots, registry.find(inner.name, RegistrationKind.ARCHITECTURE))
+            continue
         generated = [path for path in sorted(inner.glob("*.yaml")) if is_generated(_text(path))]
-        if generated and inner.name not in architectures:
-            known = accepted(inner.name, sorted(architectures))
-            message = f"is for the architecture {inner.name!r}, which is not registered; {known}"
+        if generated:
+            nearest = accepted(inner.name, known)
+            message = f"is for the architecture {inner.name!r}, which is not registered; {nearest}"
             yield Problem(str(generated[0]), 0, "config", message)
+
+
+def _strange_copies(folder: Path, robots: Sequence[str], registration: Registration) -> Iterator[Problem]:
+    try:
+        spec = architecture_of(registration)
+    except ConfigError:
+        return
+    yield from _strange_files(folder, robots, spec.robot_config_id or "", [each.id for each in spec.configs])
 
 
 def _strange_files(folder: Path, robots: Sequence[str], template: str, configs: Sequence[str]) -> Iterator[Problem]:
