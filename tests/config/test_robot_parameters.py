@@ -61,8 +61,8 @@ def test_shared_parameters_complain_of_all_configs_at_once(team: Team, write: Wr
         resolve_shared(team)
 
     assert [str(problem) for problem in caught.value.problems] == [
-        f"{layers}:1: layer: is not known; there is none",
-        f"{tasks}:1: tasks/task0/id: must be a text (got 3); put it in quotes",
+        f"{layers}:1: layers_alliance_params/layer: is not known; there is none",
+        f"{tasks}:1: tasks_alliance_params/tasks/task0/id: must be a text (got 3); put it in quotes",
     ]
 
 

@@ -14,18 +14,21 @@ from rqt_mrta_py.model import normalise_id
 
 __all__ = ["Told", "located"]
 
+_SENSOR = r"sensor \S+ on (?P<topic>\S+): (?:parameter (?P<parameter>\w+): )?"
 _FORMS = (
     (re.compile(r"robot (?P<robot>\S+): (?=no robot model )"), "model"),
     (re.compile(r"robot (?P<robot>\S+): (?=no sensor \S+ for (?P<topic>\S+);)"), "sensors"),
-    (re.compile(r"robot (?P<robot>\S+): (?=sensor \S+ on (?P<topic>\S+): )"), "sensors"),
+    (re.compile(r"robot (?P<robot>\S+): " + _SENSOR), "sensors"),
     (re.compile(r"robot (?P<robot>\S+): (?=world \S+ lacks )"), "model"),
+    (re.compile(r"robot (?P<robot>\S+): (?=the id )"), "id"),
     (re.compile(r"robot (?P<robot>\S+): "), "start"),
-    (re.compile(r"team (?=sensor \S+ on (?P<topic>\S+): )"), "sensors"),
+    (re.compile(r"team " + _SENSOR), "sensors"),
     (re.compile(r"obstacle (?P<obstacle>\S+): "), ""),
-    (re.compile(r"event (?P<event>\S+) at (?P<time>\S+) s: "), ""),
+    (re.compile(r"event (?P<event>\S+) at (?P<time>\S+) s: (?=no radio )"), "parameters/kind"),
+    (re.compile(r"event (?P<event>\S+) at (?P<time>\S+) s: (?:(?P<parameter>\w+): )?"), "parameters"),
     (re.compile(r"scenario: (?=no world )"), "world"),
     (re.compile(r"scenario: (?=no radio )"), "radio/kind"),
-    (re.compile(r"radio \S+: "), "radio"),
+    (re.compile(r"radio \S+: (?:(?P<parameter>\w+): )?"), "radio"),
     (re.compile(r"arena: "), "arena"),
 )
 """How lines begin, and the key that is meant."""
@@ -53,26 +56,33 @@ def located(line: str, lines: YamlLines) -> Told:
     for form, key in _FORMS:
         match = form.match(line)
         if match is not None:
-            return Told(_element({"robot": "", "topic": "", **match.groupdict()}, key, lines), line[match.end() :])
+            said = {name: text for name, text in match.groupdict().items() if text is not None}
+            element = _element(said, key, lines)
+            return Told("/".join([element, *([said["parameter"]] if "parameter" in said else [])]), line[match.end() :])
     return Told("", line)
 
 
-def _element(said: Mapping[str, Any], key: str, lines: YamlLines) -> str:
+def _element(said: Mapping[str, str], key: str, lines: YamlLines) -> str:
     if "obstacle" in said:
         return _entry("obstacles", lines, lambda entry: normalise_id(entry["id"]) == said["obstacle"])
     if "event" in said:
-        kind, time = said["event"], said["time"]
-        return _entry("events", lines, lambda entry: entry["kind"] == kind and f"{entry['time']:g}" == time)
-    if not (said["robot"] or said["topic"]):
+        event = _entry("events", lines, lambda entry: _is_event(entry, said))
+        return f"{event}/{key}" if lines.has(f"{event}/{key}") else event
+    if "robot" not in said and "topic" not in said:
         return key
-    owner = _entry("robots", lines, lambda entry: normalise_id(entry["id"]) == said["robot"]) if said["robot"] else ""
+    owner = "robots[0]"
+    if "robot" in said:
+        owner = _entry("robots", lines, lambda entry: normalise_id(entry["id"]) == said["robot"])
     # A key that a robot gives replaces the one in robot_defaults as a whole.
-    if not (owner and lines.has(f"{owner}/{key}")) and lines.has(f"robot_defaults/{key}"):
+    if not lines.has(f"{owner}/{key}") and lines.has(f"robot_defaults/{key}"):
         owner = "robot_defaults"
-    owner = owner or "robots[0]"
-    if said["topic"]:
+    if "topic" in said:
         return _entry(f"{owner}/{key}", lines, lambda entry: entry["topic"] == said["topic"])
     return f"{owner}/{key}"
+
+
+def _is_event(entry: Mapping[str, Any], said: Mapping[str, str]) -> bool:
+    return entry["kind"] == said["event"] and f"{entry['time']:g}" == said["time"]
 
 
 def _entry(holder: str, lines: YamlLines, fits: Callable[[Mapping[str, Any]], bool]) -> str:

@@ -156,8 +156,8 @@ class Subject:
             return ApplicationFiles(entry, path, None, None, None, None, None)
         source = attempt(note, lambda: self._source(file, path))
         architecture = self._architecture(source) if source is not None else None
-        tasks = attempt(note, lambda: tasks_of(file, str(path), yaml_text(entry.tasks), str(entry.tasks or "")))
-        scenario = attempt(note, lambda: scenario_of(file, tasks, yaml_text(entry.scenario), str(entry.scenario or "")))
+        tasks = attempt(note, lambda: tasks_of(file, str(path), _text(entry.tasks), str(entry.tasks or "")))
+        scenario = attempt(note, lambda: scenario_of(file, tasks, _text(entry.scenario), str(entry.scenario or "")))
         team = None
         if architecture is not None and source is not None and tasks is not None:
             team = Team(file.spec, path, architecture, source.file, tasks)
@@ -173,3 +173,8 @@ class Subject:
             return find_source(self.host.registry, file.spec.architecture, RegistrationKind.ARCHITECTURE)
         except DiscoveryError as error:
             raise ConfigError([Problem(str(path), self.line(path, element), element, str(error))]) from error
+
+
+def _text(path: Optional[Path]) -> Optional[str]:
+    """Read a file; None where there is none, which is told of the manifest that names it."""
+    return yaml_text(path) if path is not None and path.is_file() else None

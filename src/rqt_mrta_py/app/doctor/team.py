@@ -88,7 +88,10 @@ def _orphaned_tasks(application: ApplicationFiles, tasks: Tuple[Task, ...]) -> I
         if able == 0:
             key, message = "id", f"{task.id!r} is a task of no robot; give it to one in {application.path.name}"
         elif able < task.robots:
-            key, message = "robots", f"is {task.robots}, but the robots that may carry it out are {able}; give so many"
+            key, message = (
+                "robots",
+                f"is {task.robots}, but only {able} of the team may carry it out; give at most {able}",
+            )
         else:
             continue
         element = f"tasks[{index}]/{key}"

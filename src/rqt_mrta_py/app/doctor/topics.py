@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence
 
+from rqt_mrta_py.app.doctor.dependencies import package_problem
 from rqt_mrta_py.app.doctor.subject import Subject
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.xml.element import Element, Text
@@ -70,7 +72,8 @@ def check_topics(subject: Subject) -> Iterator[Problem]:
         codec = subject.host.codec()
         for topic in topics:
             _check_what_it_tells(topic)
-            _check_type(topic, codec)
+            if not _is_told_of_package(subject, architecture.path, topic):
+                _check_type(topic, codec)
         _check_one_type_each(topics)
         _check_flicker(topics)
         yield from problems.found
@@ -124,6 +127,13 @@ def _check_what_it_tells(topic: _Topic) -> None:
         topic.problem(
             "field", f"is missing, so that nothing tells the {what}; give the field with its id, or {token} in the name"
         )
+
+
+def _is_told_of_package(subject: Subject, path: Path, topic: _Topic) -> bool:
+    """Tell whether a type is unknown because its package is, of which other checks tell already."""
+    package = topic.type.partition("/")[0]
+    unknown = package not in subject.host.registry.packages
+    return unknown and any(True for _ in package_problem(subject, package, path, 0, ""))
 
 
 def _check_type(topic: _Topic, codec: Codec) -> None:

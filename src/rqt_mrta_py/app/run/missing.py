@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, Mapping, Optional
 
 from rqt_mrta_py.model import Task
+from rqt_mrta_py.wording import accepted
 
 __all__ = ["missing_agents", "missing_behaviour", "missing_planner"]
 
@@ -18,7 +19,7 @@ def missing_agents(package: str, factories: Mapping[str, Any]) -> Optional[str]:
     """
     if package in factories:
         return None
-    return f"no plugin provides agents for this architecture; there are agents for: {_listed(factories)}"
+    return f"no plugin provides agents for this architecture; {accepted(package, sorted(factories))}"
 
 
 def missing_behaviour(task: Task, factories: Mapping[str, Any]) -> Optional[str]:
@@ -30,7 +31,7 @@ def missing_behaviour(task: Task, factories: Mapping[str, Any]) -> Optional[str]
     """
     if task.kind in factories:
         return None
-    return f"no plugin provides a behaviour for its kind {task.kind!r}; there are behaviours for: {_listed(factories)}"
+    return f"no plugin provides a behaviour for its kind {task.kind!r}; {accepted(task.kind, sorted(factories))}"
 
 
 def missing_planner(name: str, factories: Mapping[str, Any]) -> Optional[str]:
@@ -40,8 +41,4 @@ def missing_planner(name: str, factories: Mapping[str, Any]) -> Optional[str]:
         name: of the planner.
         factories: of planners, by name.
     """
-    return None if name in factories else f"no plugin provides {name!r}; there are: {_listed(factories)}"
-
-
-def _listed(names: Mapping[str, Any]) -> str:
-    return ", ".join(sorted(names)) or "none"
+    return None if name in factories else f"no plugin provides {name!r}; {accepted(name, sorted(factories))}"

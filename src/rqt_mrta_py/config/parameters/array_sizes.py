@@ -14,7 +14,7 @@ from rqt_mrta_py.config.parameters.layers import Given, GivenValues
 from rqt_mrta_py.config.parameters.values import check_value, parse_text
 from rqt_mrta_py.config.substitution import INDEX_TOKEN, SIZE_TOKEN, substitute
 from rqt_mrta_py.model import TASK_TOKEN, ArrayTemplate, MapTemplate, ParameterTemplate, ParameterType, TemplateItem
-from rqt_mrta_py.wording import shown
+from rqt_mrta_py.wording import accepted, shown
 
 __all__ = ["ArraySizer", "element_name"]
 
@@ -64,7 +64,11 @@ class ArraySizer:
         if missing and self._context.all_tasks:
             path = (*place.path, "size")
             given = self._given.get(path) or Given(None, True, self._context.template_source, sizes[0].line)
-            self._note(path, given, f"is {size}, which leaves no element for {', '.join(missing)}; give {len(tasks)}")
+            message = f"is {size}, which leaves no element for {', '.join(missing)}; give {len(tasks)}"
+            for task in claims.values():
+                if task not in self._context.tasks:
+                    message += f", or mend {task!r}, which is no task of its own: {accepted(task, self._context.tasks)}"
+            self._note(path, given, message)
         return ArraySize(size, {index: tasks[index] for index in sorted(tasks)}, by_task=True)
 
     def _explicit_size(self, item: ParameterTemplate, place: Place) -> Optional[int]:
@@ -88,7 +92,7 @@ class ArraySizer:
         if texts and texts[0] == SIZE_TOKEN:
             return seen or (min(numbers[0], _MOST_ELEMENTS) if numbers else 0)
         if not texts:
-            where = Given(None, True, self._context.values_source, 0)
+            where = Given(None, True, self._context.values_source, self._context.values_line)
             self._note((*place.path, "size"), where, "is mandatory and has no value; give a whole number")
         return min(numbers[0], _MOST_ELEMENTS) if numbers else seen
 

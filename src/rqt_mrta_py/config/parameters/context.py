@@ -25,6 +25,7 @@ class ParameterContext:
         package: of the application.
         template_source: file of the template.
         values_source: file in which a missing value would be given.
+        values_line: where in it; 0 where nothing is given yet.
     """
 
     robot_id: str
@@ -33,6 +34,7 @@ class ParameterContext:
     package: str
     template_source: str
     values_source: str
+    values_line: int = 0
 
     @property
     def tokens(self) -> Dict[str, str]:

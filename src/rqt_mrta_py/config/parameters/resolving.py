@@ -153,7 +153,7 @@ class _Resolver:
         if given is None:
             text = item.value if item.value is not None else item.default
             if text is None and size is None:
-                where = Given(None, True, self._context.values_source, 0)
+                where = Given(None, True, self._context.values_source, self._context.values_line)
                 self._problem(place.path, where, f"{MANDATORY}; give {WANTED[item.type]}")
                 return None
             given = Given(text, True, self._context.template_source, item.line)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Protocol, Sequence, Tuple
 
@@ -129,7 +130,7 @@ def resolve_team(
             shared = file_name(team.template.id)
             names = (shared, config_name(robot.id, shared)) if shared else ()
             layers = [*_file_layers(team, names, read), given.get(robot.id, {})]
-            resolved[robot.id] = resolve_parameters(team.template, layers, _context(team, robot))
+            resolved[robot.id] = resolve_parameters(team.template, layers, _context(team, robot, names))
         except ConfigError as error:
             problems.extend(error.problems)
             continue
@@ -155,22 +156,23 @@ def resolve_shared(team: Team, read: FileReader = read_if_there) -> Dict[str, Re
     """
     problems: List[Problem] = []
     resolved: Dict[str, ResolvedParameters] = {}
-    context = _context(team, ApplicationRobot(""))
     for template in team.architecture.configs:
         if template.id == team.template.id:
             continue
+        names = [file_name(template.id)]
+        context = _context(team, ApplicationRobot(""), names)
         try:
-            resolved[template.id] = resolve_parameters(
-                template, list(_file_layers(team, [file_name(template.id)], read)), context
-            )
+            resolved[template.id] = resolve_parameters(template, list(_file_layers(team, names, read)), context)
         except ConfigError as error:
-            problems.extend(error.problems)
+            problems.extend(replace(each, element=f"{template.id}/{each.element}") for each in error.problems)
     if problems:
         raise ConfigError(problems)
     return resolved
 
 
-def _context(team: Team, robot: ApplicationRobot) -> ParameterContext:
+def _context(team: Team, robot: ApplicationRobot, names: Sequence[str]) -> ParameterContext:
+    """Say for whom parameters are resolved, from configs of these names, later ones over earlier ones."""
+    lines = {file_name(config.id): config.line for config in team.application.configs} if team.at_home else {}
     return ParameterContext(
         robot_id=robot.id,
         tasks=tuple(task.id for task in team.application.tasks_of(robot.id, team.tasks)),
@@ -178,6 +180,7 @@ def _context(team: Team, robot: ApplicationRobot) -> ParameterContext:
         package=team.application.package,
         template_source=str(team.architecture_file),
         values_source=str(team.application_file if team.at_home else team.architecture_file),
+        values_line=next((lines[name] for name in reversed(names) if name in lines), 0),
     )
 
 
