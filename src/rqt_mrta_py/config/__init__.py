@@ -12,6 +12,7 @@
 * ``loading``: application, architecture, tasks and scenario, checked against one another
 * ``generated``: parameter files and launch files written from an rqt_mrta.xml
 * ``editing``: changes of an application that keep what they do not change
+* ``packages``: new packages, from answers to files
 * ``problems``: all problems of a file at once, each with where, what is wrong, what is accepted
 * ``files``: read whole; written whole or not at all
 """
