@@ -49,10 +49,8 @@ def missing_values(
 
 def _find(element: str, robots: Sequence[str], architecture: ArchitectureSpec) -> Optional[MissingValue]:
     for config in architecture.configs:
-        if config.id == architecture.robot_config_id:
-            named = [(f"{robot}/", element[len(robot) + 1 :]) for robot in robots if element.startswith(f"{robot}/")]
-        else:
-            named = [(f"{config.id}/", element)]
+        owners = robots if config.id == architecture.robot_config_id else (config.id,)
+        named = [(f"{owner}/", element[len(owner) + 1 :]) for owner in owners if element.startswith(f"{owner}/")]
         for prefix, rest in named:
             template = _template(config.items, rest.split("/"))
             if template is not None:
