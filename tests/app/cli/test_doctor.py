@@ -101,6 +101,11 @@ def test_a_path_that_is_not_there_is_bad_input(command: Command) -> None:
     assert told.err.startswith("mrta: no/where: there is no such package, file or folder")
 
 
+def test_a_folder_without_packages_is_bad_input(command: Command, tmp_path: Path) -> None:
+    told = command("doctor", str(tmp_path))
+    assert (told.status, told.err) == (3, f"mrta: {tmp_path}: holds neither a package nor an rqt_mrta.xml\n")
+
+
 def test_a_package_without_registration_that_is_named_is_examined(command: Command, workspace: Workspace) -> None:
     told = command("doctor", "nearest_robot_msgs")
     assert (told.status, told.err) == (0, "mrta: no problems in 1 package\n")

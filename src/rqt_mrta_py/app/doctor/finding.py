@@ -18,6 +18,7 @@ from rqt_mrta_py.wording import accepted
 __all__ = ["Found", "find_subjects"]
 
 _PATH = "ROS_PACKAGE_PATH"
+_FILE = "rqt_mrta.xml"
 _MENTION = HOSTS[0].encode("ascii")
 
 
@@ -117,6 +118,8 @@ def _below(name: str, folder: Path, host: Host) -> Iterator[Subject]:
     if manifests or found.problems:
         for manifest in sorted(manifests):
             yield _package(manifest.parent.name, manifest, host)
+    elif not (folder / _FILE).is_file():
+        raise DiscoveryError(f"{name}: holds neither a package nor an {_FILE}")
     else:
         for registration in find_registrations(host.registry, str(folder)):
             yield Subject(registration.package, folder, None, (registration,), host)
