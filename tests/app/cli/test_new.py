@@ -199,13 +199,35 @@ def test_missing_flags_are_named_at_once_away_from_a_terminal(here: Path, comman
         (["--set", "rate"], "--set: 'rate': PATH=VALUE is expected"),
         (["--world", "plaanar"], "--world: is not known (got 'plaanar'); nearest is 'planar'"),
         (["--email", "nobody"], "--email: The e-mail of the package maintainer must be given."),
+        (["--robots", "10001"], "--robots: must be up to 10000 (got '10001')"),
+        (["--robots", "9" * 5000], "--robots: must be up to 10000 (got '" + "9" * 59 + "...)"),
+        (["--robots", "0"], "--robots: Enter the system robots."),
+        (["--tasks", ""], "--tasks: Enter the robot tasks."),
+        (
+            ["--architecture", "./nowhere"],
+            "./nowhere: there is no such file or folder; give a registered name or an rqt_mrta.xml",
+        ),
         (["--version", "1"], "--version: must be three numbers joined by dots (got '1')"),
     ],
 )
 def test_bad_flag_is_refused_and_nothing_written(here: Path, command: Command, flags: List[str], message: str) -> None:
     plan = ["--architecture", "nearest_robot", "--robots", "1", "--tasks", "1", *ABOUT, *flags]
     told = command("new", "application", "yard", *plan)
-    assert (told.status, told.err) == (2, f"mrta: {message}\n")
+    assert (told.status, told.err) == (3 if "there is no such" in message else 2, f"mrta: {message}\n")
+    assert list(here.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("types", "lines"),
+    [
+        ("ST-SR", ["mrta: --type: 'ST-SR': three types joined by hyphens are expected"]),
+        ("ST--XY", ["The tasks type must be selected.", "is not known (got 'XY'); accepted: IA, TA"]),
+    ],
+)
+def test_bad_types_are_refused(here: Path, command: Command, types: str, lines: List[str]) -> None:
+    told = command("new", "architecture", "yard", "--type", types, *ABOUT)
+    assert told.status == 2
+    assert [line.endswith(end) for line, end in zip(told.err.splitlines(), lines)] == [True] * len(lines)
     assert list(here.iterdir()) == []
 
 

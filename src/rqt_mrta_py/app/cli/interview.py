@@ -11,7 +11,7 @@ from rqt_mrta_py.config.packages.answers import Answer, Answers
 from rqt_mrta_py.config.packages.answers_form import ANSWERS
 from rqt_mrta_py.config.packages.checks import Surroundings, must_be_asked, wrong_with
 from rqt_mrta_py.config.packages.entries import ValueEntry
-from rqt_mrta_py.config.packages.place import Place
+from rqt_mrta_py.config.packages.origin import Origin
 from rqt_mrta_py.config.parameters.values import parse_text
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.wording import accepted
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 __all__ = ["ask_for_missing", "ask_for_values"]
 
-_TYPED = Place("answer")
+_TYPED = Origin("answer")
 _ASKED = ("workspace", "name", "version", "license", "run_depends")
 """What is asked besides that which has no default."""
 

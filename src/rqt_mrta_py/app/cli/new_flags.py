@@ -9,16 +9,20 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Dict, List, Tuple
 
 from rqt_mrta_py.app.cli.common import positive
+from rqt_mrta_py.wording import shown
 
 if TYPE_CHECKING:
     from rqt_mrta_py.config import RegistrationKind
     from rqt_mrta_py.config.packages.answers import Answers
     from rqt_mrta_py.config.packages.entries import RobotEntry, TaskEntry
-    from rqt_mrta_py.config.packages.place import Place
+    from rqt_mrta_py.config.packages.origin import Origin
 
 __all__ = ["add_flags", "answers_by_flags", "robots_of_text", "tasks_of_text"]
 
 _NUMBER = re.compile(r"\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)\s*\Z")
+_MOST = 10_000
+"""More robots or tasks than anybody simulates; a mistyped number must not fill the memory."""
+
 _TEXTS = {
     "name": "name for people (default: the package's, in words)",
     "version": "three numbers (default: 1.0.0)",
@@ -83,12 +87,14 @@ def _add_application(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("the application")
     group.add_argument("--architecture", metavar="A", help="by which tasks are shared out: a registered name")
     robots = group.add_mutually_exclusive_group()
-    robots.add_argument("--robots", metavar="N", help="so many robots, robot1 and so on")
+    robots.add_argument(
+        "--robots", metavar="N", help="so many robots, robot1 and so on; or their ids, joined by commas"
+    )
     robots.add_argument(
         "--robot", metavar="ID[:TASKS]", action="append", help="a robot; its tasks are joined by commas (default: all)"
     )
     tasks = group.add_mutually_exclusive_group()
-    tasks.add_argument("--tasks", metavar="N", help="so many tasks, task1 and so on: places to go to")
+    tasks.add_argument("--tasks", metavar="N", help="so many tasks, task1 and so on; or ID[:KIND], joined by commas")
     tasks.add_argument(
         "--task", metavar="ID[:KIND[:X,Y]]", action="append", help="a task, for instance gate:report:3,2.5 [m]"
     )
@@ -109,7 +115,7 @@ def answers_by_flags(kind: RegistrationKind, options: argparse.Namespace, otherw
         ConfigError: with everything in flags that cannot be read.
     """
     from rqt_mrta_py.config.packages.answers import Answer, flag_of
-    from rqt_mrta_py.config.packages.place import Place
+    from rqt_mrta_py.config.packages.origin import Origin
     from rqt_mrta_py.errors import ConfigError, Problem
 
     given: Dict[str, Any] = {}
@@ -117,7 +123,7 @@ def answers_by_flags(kind: RegistrationKind, options: argparse.Namespace, otherw
     for key in ("package", "workspace", *_TEXTS, "run_depends", *_TYPES, "plugin", "architecture", "world", "duration"):
         value = getattr(options, key, None)
         if value is not None:
-            given[key] = Answer(tuple(value) if isinstance(value, list) else value, Place(flag_of(key)))
+            given[key] = Answer(tuple(value) if isinstance(value, list) else value, Origin(flag_of(key)))
     readers = (_type_answers, _table_answers) if kind.value == "architecture" else (_team_answers, _value_answers)
     for reader in readers:
         try:
@@ -129,46 +135,48 @@ def answers_by_flags(kind: RegistrationKind, options: argparse.Namespace, otherw
     return otherwise.covered(given)
 
 
-Given = Dict[str, Tuple[Any, "Place"]]
+Given = Dict[str, Tuple[Any, "Origin"]]
 
 
 def _type_answers(options: argparse.Namespace, _otherwise: Answers) -> Given:
-    from rqt_mrta_py.config.packages.place import Place
-    from rqt_mrta_py.model import Taxonomy
+    from rqt_mrta_py.config.packages.origin import Origin
+    from rqt_mrta_py.errors import ConfigError
 
     if options.type is None:
         return {}
-    types = Taxonomy.parse(options.type)
-    axes = dict(zip(_TYPES, (types.robots, types.tasks, types.allocations)))
-    return {key: (axis.value, Place("--type")) for key, axis in axes.items() if getattr(options, key) is None}
+    place = Origin("--type")
+    parts = [part.strip() for part in options.type.split("-")]
+    if len(parts) != len(_TYPES):
+        raise ConfigError([place.problem(f"{options.type!r}: three types joined by hyphens are expected")])
+    return {key: (part, place) for key, part in zip(_TYPES, parts) if getattr(options, key) is None}
 
 
 def _table_answers(options: argparse.Namespace, _otherwise: Answers) -> Given:
     """Read topics and parameters, each written as a mapping of YAML."""
     from rqt_mrta_py.config.packages.answers import entries_of_text
-    from rqt_mrta_py.config.packages.place import Place
+    from rqt_mrta_py.config.packages.origin import Origin
 
     found: Given = {}
     for key, flag in (("topics", "--topic"), ("parameters", "--parameter")):
         texts = getattr(options, key)
         if texts is not None:
-            found[key] = (tuple(entry for text in texts for entry in entries_of_text(key, text, flag)), Place(flag))
+            found[key] = (tuple(entry for text in texts for entry in entries_of_text(key, text, flag)), Origin(flag))
     return found
 
 
 def _team_answers(options: argparse.Namespace, _otherwise: Answers) -> Given:
-    from rqt_mrta_py.config.packages.place import Place
+    from rqt_mrta_py.config.packages.origin import Origin
 
     found: Given = {}
     if options.robots is not None:
-        found["robots"] = (robots_of_text(options.robots, Place("--robots")), Place("--robots"))
+        found["robots"] = (robots_of_text(options.robots, Origin("--robots")), Origin("--robots"))
     if options.robot is not None:
-        place = Place("--robot")
+        place = Origin("--robot")
         found["robots"] = (tuple(_robot(text, place) for text in options.robot), place)
     if options.tasks is not None:
-        found["tasks"] = (tasks_of_text(options.tasks, Place("--tasks")), Place("--tasks"))
+        found["tasks"] = (tasks_of_text(options.tasks, Origin("--tasks")), Origin("--tasks"))
     if options.task is not None:
-        place = Place("--task")
+        place = Origin("--task")
         found["tasks"] = (tuple(_task(text, place) for text in options.task), place)
     return found
 
@@ -176,7 +184,7 @@ def _team_answers(options: argparse.Namespace, _otherwise: Answers) -> Given:
 def _value_answers(options: argparse.Namespace, otherwise: Answers) -> Given:
     """Read values; those of a file stay unless one of the same path covers them."""
     from rqt_mrta_py.config.packages.entries import ValueEntry
-    from rqt_mrta_py.config.packages.place import Place
+    from rqt_mrta_py.config.packages.origin import Origin
     from rqt_mrta_py.errors import ConfigError, Problem
 
     if options.set is None:
@@ -187,36 +195,40 @@ def _value_answers(options: argparse.Namespace, otherwise: Answers) -> Given:
         path, equals, value = (part.strip() for part in text.partition("="))
         if not equals or not path:
             problems.append(Problem("--set", 0, "", f"{text!r}: PATH=VALUE is expected"))
-        entries[path] = ValueEntry(path, value, Place("--set"))
+        entries[path] = ValueEntry(path, value, Origin("--set"))
     if problems:
         raise ConfigError(problems)
-    return {"parameters": (tuple(entries.values()), Place("--set"))}
+    return {"parameters": (tuple(entries.values()), Origin("--set"))}
 
 
-def robots_of_text(text: str, place: Place) -> Tuple[RobotEntry, ...]:
+def robots_of_text(text: str, place: Origin) -> Tuple[RobotEntry, ...]:
     """Read how many robots there are, or their ids joined by commas."""
     from rqt_mrta_py.config.packages.entries import numbered_robots
 
-    if text.strip().isdigit():
-        return numbered_robots(_count(text), place)
+    if text.strip().isdecimal():
+        return numbered_robots(_count(text, place), place)
     return tuple(_robot(part, place) for part in text.split(",")) if text.strip() else ()
 
 
-def tasks_of_text(text: str, place: Place) -> Tuple[TaskEntry, ...]:
+def tasks_of_text(text: str, place: Origin) -> Tuple[TaskEntry, ...]:
     """Read how many tasks there are, or their ids, with kinds behind colons, joined by commas."""
     from rqt_mrta_py.config.packages.entries import numbered_tasks
 
-    if text.strip().isdigit():
-        return numbered_tasks(_count(text), place)
+    if text.strip().isdecimal():
+        return numbered_tasks(_count(text, place), place)
     return tuple(_task(part, place) for part in text.split(",")) if text.strip() else ()
 
 
-def _count(text: str) -> int:
-    # More than anybody simulates; beyond it a mistyped number would only fill the memory.
-    return min(int(text.strip()[:9]), 100_000)
+def _count(text: str, place: Origin) -> int:
+    from rqt_mrta_py.errors import ConfigError
+
+    number = text.strip()
+    if len(number) > len(str(_MOST)) or int(number) > _MOST:
+        raise ConfigError([place.problem(f"must be up to {_MOST} (got {shown(number)})")])
+    return int(number)
 
 
-def _robot(text: str, place: Place) -> RobotEntry:
+def _robot(text: str, place: Origin) -> RobotEntry:
     from rqt_mrta_py.config.packages.entries import RobotEntry
     from rqt_mrta_py.model import normalise_id
 
@@ -225,7 +237,7 @@ def _robot(text: str, place: Place) -> RobotEntry:
     return RobotEntry(normalise_id(name.strip()), tasks if colon else None, place)
 
 
-def _task(text: str, place: Place) -> TaskEntry:
+def _task(text: str, place: Origin) -> TaskEntry:
     from rqt_mrta_py.config.packages.answers_form import DEFAULT_KIND
     from rqt_mrta_py.config.packages.entries import simple_task
     from rqt_mrta_py.errors import ConfigError

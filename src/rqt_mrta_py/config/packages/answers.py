@@ -22,7 +22,7 @@ from rqt_mrta_py.config.packages.entries import (
     topic_entry,
     value_entries,
 )
-from rqt_mrta_py.config.packages.place import Place
+from rqt_mrta_py.config.packages.origin import Origin
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.yaml.rows import Row, read_document
 from rqt_mrta_py.config.yaml.text import parse_yaml
@@ -42,7 +42,7 @@ class Answer:
     """
 
     value: Any
-    place: Place
+    place: Origin
 
 
 class Answers:
@@ -80,9 +80,9 @@ class Answers:
         """Give an answer as text without blanks around it; empty where there is none."""
         return str(self.value(key, "")).strip()
 
-    def place(self, key: str) -> Place:
+    def place(self, key: str) -> Origin:
         """Tell where a question is, or else would be, answered."""
-        return self._given[key].place if key in self._given else Place(flag_of(key), 0, "")
+        return self._given[key].place if key in self._given else Origin(flag_of(key), 0, "")
 
     def covered(self, others: Mapping[str, Answer]) -> Answers:
         """Give these answers, others covering them."""
@@ -155,7 +155,7 @@ def read_answers(path: Path, kind: RegistrationKind) -> Answers:
     for key in row.given:
         if key in refused:
             continue
-        place = Place(str(path), *row.at(key))
+        place = Origin(str(path), *row.at(key))
         try:
             given[key] = Answer(_converted(kind, key, row.values[key], place), place)
         except ConfigError as error:
@@ -186,10 +186,10 @@ def entries_of_text(key: str, text: str, flag: str) -> Tuple[Any, ...]:
         # A flag has no lines.
         raise ConfigError(Problem(flag, 0, each.element, each.message) for each in error.problems) from error
     maker = topic_entry if key == "topics" else parameter_entry
-    return (replace(maker(row, flag, 1), place=Place(flag)),)
+    return (replace(maker(row, flag, 1), place=Origin(flag)),)
 
 
-def _converted(kind: RegistrationKind, key: str, value: Any, place: Place) -> Any:
+def _converted(kind: RegistrationKind, key: str, value: Any, place: Origin) -> Any:
     """Turn rows of a file into what they stand for."""
     if key == "parameters" and kind is RegistrationKind.APPLICATION:
         return value_entries(value, place)

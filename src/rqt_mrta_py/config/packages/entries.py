@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple
 
 from rqt_mrta_py.config.packages.answers_form import DEFAULT_KIND
-from rqt_mrta_py.config.packages.place import Place
+from rqt_mrta_py.config.packages.origin import Origin
 from rqt_mrta_py.config.tasks.task_text import task_of
 from rqt_mrta_py.config.yaml.rows import Row
 from rqt_mrta_py.errors import ConfigError, Problem
@@ -36,7 +36,7 @@ class RobotEntry:
 
     id: str
     tasks: Optional[Tuple[str, ...]]
-    place: Place
+    place: Origin
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class TaskEntry:
 
     task: Task
     says_perpetual: bool
-    place: Place
+    place: Origin
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class TopicEntry:
 
     meaning: str
     topic: MonitoredTopic
-    place: Place
+    place: Origin
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ class ParameterEntry:
     """A parameter that an architecture declares."""
 
     template: ParameterTemplate
-    place: Place
+    place: Origin
 
 
 @dataclass(frozen=True)
@@ -71,14 +71,14 @@ class ValueEntry:
 
     path: str
     text: str
-    place: Place
+    place: Origin
 
 
 def robot_entry(row: Row, path: str, number: int) -> RobotEntry:
     """Read a robot, the so-and-so-many-th of its file."""
     name = normalise_id(row.values["id"]) if "id" in row.given else f"robot{number}"
     tasks = tuple(normalise_id(task) for task in row.values["tasks"]) if "tasks" in row.given else None
-    return RobotEntry(name, tasks, Place(path, *row.at("id")))
+    return RobotEntry(name, tasks, Origin(path, *row.at("id")))
 
 
 def task_entry(row: Row, path: str, number: int) -> TaskEntry:
@@ -88,13 +88,13 @@ def task_entry(row: Row, path: str, number: int) -> TaskEntry:
         values["id"] = f"task{number}"
     if "kind" not in row.given:
         values["kind"] = DEFAULT_KIND
-    return TaskEntry(task_of(replace(row, values=values)), "perpetual" in row.given, Place(path, *row.at("id")))
+    return TaskEntry(task_of(replace(row, values=values)), "perpetual" in row.given, Origin(path, *row.at("id")))
 
 
 def topic_entry(row: Row, path: str, _number: int) -> TopicEntry:
     """Read a monitored topic."""
     values = dict(row.values)
-    return TopicEntry(values.pop("meaning"), MonitoredTopic(**values), Place(path, row.line, row.element))
+    return TopicEntry(values.pop("meaning"), MonitoredTopic(**values), Origin(path, row.line, row.element))
 
 
 def parameter_entry(row: Row, path: str, _number: int) -> ParameterEntry:
@@ -103,10 +103,10 @@ def parameter_entry(row: Row, path: str, _number: int) -> ParameterEntry:
     template = ParameterTemplate(
         values["name"], ParameterType(values["type"]), default=values["default"], tool_tip=values["tool_tip"]
     )
-    return ParameterEntry(template, Place(path, *row.at("name")))
+    return ParameterEntry(template, Origin(path, *row.at("name")))
 
 
-def value_entries(values: Mapping[str, Any], place: Place) -> Tuple[ValueEntry, ...]:
+def value_entries(values: Mapping[str, Any], place: Origin) -> Tuple[ValueEntry, ...]:
     """Read values that stand nested, as in a robot's YAML file.
 
     Raises:
@@ -115,7 +115,7 @@ def value_entries(values: Mapping[str, Any], place: Place) -> Tuple[ValueEntry, 
     entries: List[ValueEntry] = []
     problems: List[Problem] = []
     for path, value in _leaves(values, ""):
-        here = Place(place.path, place.line, f"{place.element}/{path}")
+        here = Origin(place.path, place.line, f"{place.element}/{path}")
         if isinstance(value, bool):
             entries.append(ValueEntry(path, "true" if value else "false", here))
         elif isinstance(value, (int, float, str)):
@@ -127,17 +127,17 @@ def value_entries(values: Mapping[str, Any], place: Place) -> Tuple[ValueEntry, 
     return tuple(entries)
 
 
-def numbered_robots(count: int, place: Place) -> Tuple[RobotEntry, ...]:
+def numbered_robots(count: int, place: Origin) -> Tuple[RobotEntry, ...]:
     """Make robots with automatic ids."""
     return tuple(RobotEntry(f"robot{number}", None, place) for number in range(1, count + 1))
 
 
-def numbered_tasks(count: int, place: Place) -> Tuple[TaskEntry, ...]:
+def numbered_tasks(count: int, place: Origin) -> Tuple[TaskEntry, ...]:
     """Make tasks with automatic ids."""
     return tuple(simple_task(f"task{number}", DEFAULT_KIND, place) for number in range(1, count + 1))
 
 
-def simple_task(name: str, kind: str, place: Place) -> TaskEntry:
+def simple_task(name: str, kind: str, place: Origin) -> TaskEntry:
     """Make a task of which only id and kind are told."""
     return TaskEntry(Task(normalise_id(name), kind), False, place)
 

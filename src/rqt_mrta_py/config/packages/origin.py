@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 from rqt_mrta_py.errors import Problem
 
-__all__ = ["Place"]
+__all__ = ["Origin"]
 
 
-class Place(NamedTuple):
+class Origin(NamedTuple):
     """A line of a file, or a flag of the command line.
 
     Attributes:
