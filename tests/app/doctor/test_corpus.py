@@ -1,7 +1,8 @@
-"""Packages that are wrong in one way each, and what doctor says of them; sound ones, of which it says nothing."""
+"""Packages that are wrong in one way each, and the one thing said of each; sound ones, of which nothing is said."""
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 from typing import Dict
 
@@ -9,6 +10,7 @@ import pytest
 import yaml
 
 from tests.app.doctor.corpus import broken, told
+from tests.app.outputs import Mrta
 
 DATA = Path(__file__).resolve().parents[2] / "data"
 TOLD: Dict[str, str] = yaml.safe_load((DATA / "bad" / "expected.yaml").read_text(encoding="utf-8"))
@@ -26,11 +28,20 @@ def test_corpus_is_large_enough() -> None:
     assert len(SOUND) >= 8
 
 
-@pytest.mark.parametrize("name", sorted(TOLD))
+@pytest.mark.parametrize("name", sorted(name for name in TOLD if not name.startswith("answers_")))
 def test_doctor_tells_what_is_wrong_once_and_nothing_else(name: str, tmp_path: Path) -> None:
     package = broken(DATA / "bad" / name, DATA / "sound", tmp_path / "workspace")
 
     assert told(package) == [TOLD[name]]
+
+
+@pytest.mark.parametrize("name", sorted(name for name in TOLD if name.startswith("answers_")))
+def test_new_tells_what_is_wrong_with_answers_and_writes_nothing(name: str, mrta: Mrta) -> None:
+    """Answers are no part of a package: who asks for them tells of them."""
+    shutil.copyfile(str(DATA / "bad" / name), "answers.yaml")
+
+    assert mrta("new", "application", "--answers", "answers.yaml", "--yes") == (3, [f"mrta: {TOLD[name]}"])
+    assert [path.name for path in Path().iterdir()] == ["answers.yaml"]
 
 
 @pytest.mark.parametrize("name", SOUND)
