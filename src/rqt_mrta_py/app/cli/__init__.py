@@ -3,8 +3,8 @@
 * ``main``: finds the verb and turns errors into one line and a status; ``parser``: what it reads arguments with
 * ``list``, ``show``, ``new``, ``doctor``, ``configure``, ``run``, ``review``, ``salvage``, ``bench``: a verb each, with
   ``add_arguments`` and ``main``
-* ``new_flags``, ``interview``: answers that ``new`` gets from flags and at a terminal; ``new_package``: what it makes of
-  them; ``prompts``: one question
+* ``new_flags``, ``interview``: answers that ``new`` gets from flags and at a terminal; ``new_package``: what it makes
+  of them; ``prompts``: one question
 * ``plugin_verbs``: those of plugins
 * ``common``: what verbs share; ``table``: columns of text; ``show_text``: what ``show`` puts into them
 * ``stdout``: data for whoever reads it; ``logs``, ``log_format``: everything else
