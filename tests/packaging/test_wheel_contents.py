@@ -36,9 +36,13 @@ def test_wheel_holds_every_python_module(contents: Dict[str, bytes], tree: Path)
     schema = "rqt_mrta_py/config/schema"
     grammars = {f"{schema}/{name}" for name in ("architecture.rng", "application.rng")}
     grammars |= {f"{schema}/{name}.schema.json" for name in ("tasks", "scenario")}
+    new = "rqt_mrta_py/config/packages/skeleton"
+    skeleton = {f"{new}/{name}.py.in" for name in ("agent", "init", "plugin", "setup", "test_agent")}
+    skeleton.add(f"{new}/pytest.ini.in")
     assert {name for name in contents if name.startswith("rqt_mrta_py/")} == {
         *modules,
         *grammars,
+        *skeleton,
         "rqt_mrta_py/py.typed",
     }
 
