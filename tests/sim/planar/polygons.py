@@ -54,6 +54,28 @@ def area(polygon: Sequence[Point]) -> float:
     return abs(sum(ax * by - bx * ay for (ax, ay), (bx, by) in pairs)) / 2
 
 
+def depth_in_polygon(polygon: Sequence[Point], other: Sequence[Point]) -> float:
+    """Give the shortest way out of a convex polygon for another, 0 or less when they are apart."""
+    ways = []
+    for edges, reaching in ((polygon, other), (other, polygon)):
+        for (ax, ay), (bx, by) in zip(edges, [*edges[1:], edges[0]]):
+            length = math.hypot(bx - ax, by - ay)
+            ways.append(max(((bx - ax) * (y - ay) - (by - ay) * (x - ax)) / length for x, y in reaching))
+    return min(ways)
+
+
+def depth_in_disc(polygon: Sequence[Point], centre: Point, radius: float) -> float:
+    """Give the shortest way out of a disc for a convex polygon, 0 or less when they are apart."""
+    sides, distances = [], []
+    for (ax, ay), (bx, by) in zip(polygon, [*polygon[1:], polygon[0]]):
+        ex, ey, x, y = bx - ax, by - ay, centre[0] - ax, centre[1] - ay
+        sides.append(ex * y - ey * x)
+        share = min(1.0, max(0.0, (ex * x + ey * y) / (ex * ex + ey * ey)))
+        distances.append(math.hypot(x - share * ex, y - share * ey))
+    nearest = min(distances)
+    return radius + (nearest if min(sides) >= 0.0 else -nearest)
+
+
 def shrunk(polygon: Sequence[Point], centre: Point, by: float) -> List[Point]:
     """Bring every corner nearer to a centre, such that no edge comes nearer by less than it would at right angles."""
     out = []

@@ -38,14 +38,17 @@ class Collisions:
     give way to what pushes it there, nor does the next in such a row. Pushes move things, they do not turn them.
 
     Things that are still in a wall or an obstacle after that, wedged in between several, go back to the pose that they
-    had before the step. Things among themselves may overlap for some steps when many press together.
+    had before the step. So whatever pushes, nothing that moves gets into a wall or an obstacle; what starts in some,
+    which no checked scenario has, gets neither deeper into these nor into others, even if it must stay where it is.
+    Things among themselves may overlap for some steps when many press together.
     """
 
     def __init__(self, crowd: Crowd, arena: Arena, obstacles: Sequence[Obstacle]) -> None:
         self._crowd = crowd
         self._moving = MovingMeetings(crowd)
         self.fixed = FixedMeetings(crowd, arena, obstacles)
-        self._fixed_names: List[str] = [*(obstacle.id for obstacle in obstacles), WALL]
+        self._fixed_names: List[str] = [obstacle.id for obstacle in obstacles]
+        self._fixed_names += [WALL] * (self.fixed.count - len(obstacles))
 
     def resolve(self, before: Floats) -> None:
         """Push things apart.
@@ -65,7 +68,7 @@ class Collisions:
                 self._push_out(inside, mobility, backs)
             elif not among.first.size:
                 return
-        self._take_back(before, mobility)
+        self._take_back(before)
 
     def contacts(self) -> Tuple[Contact, ...]:
         """List what touches what now: each pair once, sorted."""
@@ -114,22 +117,25 @@ class Collisions:
         backs[:, movers[chosen]] = away
         crowd.carry()
 
-    def _take_back(self, before: Floats, mobility: Floats) -> None:
-        """Put back what is in something fixed, and deeper than it was before the step."""
+    def _take_back(self, before: Floats) -> None:
+        """Put back what is in something fixed, and deeper than it was in this same one before the step."""
         crowd = self._crowd
-        now = self._depth_in_fixed(mobility.size)
-        if not (now > _MOST_DEPTH_IN_FIXED).any():
+        now = self.fixed.find(_MOST_DEPTH_IN_FIXED)
+        if not now.first.size:
             return
         after = crowd.poses.copy()
         crowd.poses[:] = before
         crowd.note_turns()
-        deeper = (now > _MOST_DEPTH_IN_FIXED) & (now > self._depth_in_fixed(mobility.size)) & (mobility > 0.0)
-        crowd.poses[:] = np.where(deeper[crowd.carrier], before, after)
+        is_deeper = now.depth > self._depths_of(now, self.fixed.find(_MOST_DEPTH_IN_FIXED))
+        goes_back = np.zeros(crowd.carrier.size, dtype=np.bool_)
+        goes_back[crowd.carrier[now.first[is_deeper]]] = True
+        crowd.poses[:] = np.where(goes_back[crowd.carrier], before, after)
         crowd.note_turns()
 
-    def _depth_in_fixed(self, things: int) -> Floats:
-        """Give for each mover how deep it or what it carries is in something fixed [m]."""
-        deepest = np.zeros(things)
-        inside = self.fixed.find(_LEAST_DEPTH)
-        np.maximum.at(deepest, self._crowd.carrier[inside.first], inside.depth)
-        return deepest
+    def _depths_of(self, pairs: Meetings, inside: Meetings) -> Floats:
+        """Give how deep pairs are in each other among other meetings with what is fixed, 0 for those not there [m]."""
+        wanted, found = (meetings.first * self.fixed.count + meetings.second for meetings in (pairs, inside))
+        _, rows, there = np.intersect1d(wanted, found, assume_unique=True, return_indices=True)
+        depths = np.zeros(wanted.size)
+        depths[rows] = inside.depth[there]
+        return depths

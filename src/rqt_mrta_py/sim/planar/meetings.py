@@ -20,6 +20,9 @@ _FORESIGHT = 0.2
 _LEVEL = 1e-6
 """What overlaps less in height lies on top of the other [m]."""
 
+_OFF_WALLS: Floats = np.array([[1.0, -1.0, 0.0, 0.0], [0.0, 0.0, 1.0, -1.0]])
+"""Unit vectors away from the four walls, in their order."""
+
 
 class Meetings(NamedTuple):
     """Pairs that overlap, or nearly so.
@@ -57,10 +60,12 @@ class MovingMeetings:
 class FixedMeetings:
     """Meetings of a crowd's things with obstacles and walls.
 
-    The second of a meeting is the obstacle's number, or the number of obstacles for a wall.
+    The second of a meeting is the obstacle's number; the walls count on from there, at the least x, the greatest x, the
+    least y and the greatest y.
 
     Attributes:
         obstacles: where they are.
+        count: of obstacles and walls.
 
     Args:
         crowd: what moves.
@@ -73,8 +78,12 @@ class FixedMeetings:
 
     def __init__(self, crowd: Crowd, arena: Arena, obstacles: Sequence[Obstacle]) -> None:
         self._crowd = crowd
-        self._arena = arena
+        self._wall_height = arena.wall_height
+        low, high = np.array([[arena.min_x, arena.min_y], [arena.max_x, arena.max_y]])[:, :, None]
+        self._centre: Floats = (low + high) / 2
+        self._half_span: Floats = (high - low) / 2
         self.obstacles: Placed = placed_obstacles(obstacles)
+        self.count = len(obstacles) + _OFF_WALLS.shape[1]
         self._cells = Cells(self.obstacles.poses[0], self.obstacles.poses[1])
         self._kept = _Kept()
 
@@ -91,18 +100,14 @@ class FixedMeetings:
 
     def _with_walls(self, least_depth: float) -> Meetings:
         """Find what reaches beyond the inner face of a wall, whatever lies behind that."""
-        crowd, arena = self._crowd, self._arena
-        x, y, _ = crowd.poses
-        is_low = crowd.footprints.low < arena.wall_height - _LEVEL
-        found = []
-        for axis, (place, low, high) in enumerate(((x, arena.min_x, arena.max_x), (y, arena.min_y, arena.max_y))):
-            off_centre = place - (low + high) / 2
-            depth = np.abs(off_centre) + np.abs(crowd.half_edges[axis]).sum(axis=0) - (high - low) / 2
-            row = np.flatnonzero((depth > least_depth) & is_low)
-            away = np.zeros((2, row.size))
-            away[axis] = np.where(off_centre[row] > 0.0, -1.0, 1.0)
-            found.append(Meetings(row, np.full(row.size, self.obstacles.poses.shape[1]), depth[row], away))
-        return _together(*found)
+        crowd = self._crowd
+        is_low = crowd.footprints.low < self._wall_height - _LEVEL
+        off_centre = crowd.poses[:2] - self._centre
+        reach = np.abs(crowd.half_edges).sum(axis=1)
+        depths = np.stack((-off_centre, off_centre), axis=1) + reach[:, None] - self._half_span[:, None]
+        depths = depths.reshape(_OFF_WALLS.shape[1], -1)
+        wall, row = np.nonzero((depths > least_depth) & is_low)
+        return Meetings(row, self.obstacles.poses.shape[1] + wall, depths[wall, row], _OFF_WALLS[:, wall])
 
 
 class _Kept:
