@@ -204,7 +204,7 @@ class _Things:
             return
         is_disc = self._is_disc[thing]
         for chosen, measure in ((~is_disc, self._to_boxes), (is_disc, self._to_discs)):
-            some = _Tries(*(field[chosen] for field in tries))
+            some = _Tries(cell[chosen], thing[chosen], x[chosen], y[chosen], tries.direction[chosen])
             np.minimum.at(nearest, some.cell, measure(some))
 
     def _to_boxes(self, tries: _Tries) -> Floats:
