@@ -18,7 +18,16 @@ from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ApplicationSpec, MissionTexts, ScenarioSpec, Task
 from rqt_mrta_py.wording import accepted
 
-__all__ = ["LoadedTeam", "attempt", "load_team", "scenario_of", "tasks_of", "yaml_text"]
+__all__ = [
+    "LoadedTeam",
+    "attempt",
+    "listed_tasks",
+    "load_team",
+    "scenario_of",
+    "tasks_of",
+    "unlisted_tasks",
+    "yaml_text",
+]
 
 _T = TypeVar("_T")
 
@@ -78,28 +87,34 @@ def load_team(
 
 def tasks_of(file: ApplicationFile, path: str, text: Optional[str], tasks_path: str) -> Tuple[Task, ...]:
     """Read the tasks, each of which has to be known; without a file a task's kind is its id."""
-    wanted: Dict[str, List[str]] = {}
-    for robot in file.spec.robots:
-        for name in robot.tasks:
-            wanted.setdefault(name, []).append(robot.id)
+    tasks = listed_tasks(file, text, tasks_path)
+    problems = unlisted_tasks(file, path, tasks, tasks_path)
+    if problems:
+        raise ConfigError(problems)
+    return tasks
+
+
+def listed_tasks(file: ApplicationFile, text: Optional[str], tasks_path: str) -> Tuple[Task, ...]:
+    """Read the tasks of a tasks.yaml; without one those that robots name, each of the kind of its id."""
     if text is None:
-        return tuple(Task(name, kind=name) for name in wanted)
-    tasks = read_tasks(text, tasks_path)
+        return tuple(Task(name, kind=name) for name in _wanted(file))
+    return read_tasks(text, tasks_path)
+
+
+def unlisted_tasks(file: ApplicationFile, path: str, tasks: Sequence[Task], tasks_path: str) -> List[Problem]:
+    """Find tasks that robots name and nobody lists."""
     known = [task.id for task in tasks]
-    problems = [
+    return [
         Problem(
             path,
             file.task_lines.get((robot, name), 0),
             f"{robot}/tasks",
             f"{name!r} is not in {Path(tasks_path).name}; {accepted(name, known)}",
         )
-        for name, robots in wanted.items()
+        for name, robots in _wanted(file).items()
         if name not in known
         for robot in robots
     ]
-    if problems:
-        raise ConfigError(problems)
-    return tasks
 
 
 def scenario_of(
@@ -119,6 +134,15 @@ def attempt(problems: List[Problem], step: Callable[[], _T]) -> Optional[_T]:
     except ConfigError as error:
         problems.extend(error.problems)
         return None
+
+
+def _wanted(file: ApplicationFile) -> Dict[str, List[str]]:
+    """Tell which robots name each task, in the order of the file."""
+    wanted: Dict[str, List[str]] = {}
+    for robot in file.spec.robots:
+        for name in robot.tasks:
+            wanted.setdefault(name, []).append(robot.id)
+    return wanted
 
 
 def _expect_robots(spec: ApplicationSpec, source: Source) -> None:

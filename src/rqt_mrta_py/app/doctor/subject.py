@@ -13,7 +13,8 @@ from rqt_mrta_py.config import Registration, RegistrationKind, Team
 from rqt_mrta_py.config.discovery.manifest import drop_namespace
 from rqt_mrta_py.config.discovery.source import Source, find_source
 from rqt_mrta_py.config.files import read_file
-from rqt_mrta_py.config.loading import attempt, scenario_of, tasks_of, yaml_text
+from rqt_mrta_py.config.loading import attempt, listed_tasks, scenario_of, unlisted_tasks, yaml_text
+from rqt_mrta_py.config.scenario.scenario_file import read_scenario
 from rqt_mrta_py.config.xml.application import ApplicationFile, read_application_file
 from rqt_mrta_py.config.xml.architecture import read_architecture
 from rqt_mrta_py.config.xml.text import line_of, parse_xml
@@ -57,6 +58,12 @@ class ApplicationFiles(NamedTuple):
     tasks: Optional[Tuple[Task, ...]]
     scenario: Optional[ScenarioSpec]
     team: Optional[Team]
+
+    @property
+    def tasks_file(self) -> Optional[Path]:
+        """Its tasks.yaml; None too where the one that the manifest names is missing."""
+        path = self.registration.tasks
+        return path if path is not None and path.is_file() else None
 
 
 class Subject:
@@ -156,12 +163,25 @@ class Subject:
             return ApplicationFiles(entry, path, None, None, None, None, None)
         source = attempt(note, lambda: self._source(file, path))
         architecture = self._architecture(source) if source is not None else None
-        tasks = attempt(note, lambda: tasks_of(file, str(path), _text(entry.tasks), str(entry.tasks or "")))
-        scenario = attempt(note, lambda: scenario_of(file, tasks, _text(entry.scenario), str(entry.scenario or "")))
+        tasks = attempt(note, lambda: listed_tasks(file, _text(entry.tasks), str(entry.tasks or "")))
+        unlisted = unlisted_tasks(file, str(path), tasks, str(entry.tasks or "")) if tasks is not None else []
+        note.extend(unlisted)
+        scenario = self._scenario(entry, file, tasks)
         team = None
-        if architecture is not None and source is not None and tasks is not None:
+        if architecture is not None and source is not None and tasks is not None and not unlisted:
             team = Team(file.spec, path, architecture, source.file, tasks)
         return ApplicationFiles(entry, path, file, architecture, tasks, scenario, team)
+
+    def _scenario(
+        self, entry: Registration, file: ApplicationFile, tasks: Optional[Tuple[Task, ...]]
+    ) -> Optional[ScenarioSpec]:
+        """Read what is simulated; one that only does not fit the team is examined further."""
+        place = str(entry.scenario or "")
+        found: List[Problem] = []
+        text = attempt(found, lambda: _text(entry.scenario))
+        scenario = attempt(found, lambda: scenario_of(file, tasks, text, place))
+        self._problems.extend(found)
+        return attempt([], lambda: read_scenario(text, place)) if scenario is None and text is not None else scenario
 
     def _source(self, file: ApplicationFile, path: Path) -> Source:
         """Find the file of the architecture that an application names."""

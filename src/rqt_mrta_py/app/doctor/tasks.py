@@ -28,7 +28,7 @@ def check_tasks(subject: Subject) -> Iterator[Problem]:
     behaviours: Mapping[str, BehaviourFactory] = subject.host.manager.registered("mrta_register_behaviours")
     models: Mapping[str, RobotModel] = subject.host.manager.registered("mrta_register_robot_models")
     for application in subject.applications:
-        path = application.registration.tasks
+        path = application.tasks_file
         if application.tasks is None or path is None:
             continue
         capabilities = _capabilities(application.scenario, models)

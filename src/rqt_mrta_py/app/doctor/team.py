@@ -21,7 +21,7 @@ _ARCHITECTURE = "application/architecture"
 def check_taxonomy_of_tasks(subject: Subject) -> Iterator[Problem]:
     """Find tasks that the architecture does not solve, as ``mrta run`` judges it."""
     for application in subject.applications:
-        tasks_file = application.registration.tasks
+        tasks_file = application.tasks_file
         if application.architecture is not None and application.tasks is not None and tasks_file is not None:
             text = yaml_text(tasks_file) or ""
             yield from misfit_problems(application.architecture, application.tasks, text, str(tasks_file))
@@ -50,7 +50,10 @@ def check_tasks_of_robots(subject: Subject) -> Iterator[Problem]:
             yield Problem(str(application.path), line, "application/robots", "names no robot; give at least one")
         elif application.tasks is not None:
             yield from _idle_robots(subject, application, application.file)
-            yield from _orphaned_tasks(application, application.tasks)
+            listed = {task.id for task in application.tasks}
+            # A robot that names an unlisted task may mean the one that nobody names.
+            if all(listed.issuperset(robot.tasks) for robot in application.file.spec.robots):
+                yield from _orphaned_tasks(application, application.tasks)
 
 
 def robots_for(application: ApplicationFiles, task: Task) -> Tuple[ApplicationRobot, ...]:
@@ -79,7 +82,7 @@ def _idle_robots(subject: Subject, application: ApplicationFiles, file: Applicat
 
 
 def _orphaned_tasks(application: ApplicationFiles, tasks: Tuple[Task, ...]) -> Iterator[Problem]:
-    path = application.registration.tasks
+    path = application.tasks_file
     if path is None:
         return
     lines = YamlLines(yaml_text(path) or "")
