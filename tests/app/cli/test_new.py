@@ -221,7 +221,7 @@ def test_bad_flag_is_refused_and_nothing_written(here: Path, command: Command, f
     ("types", "lines"),
     [
         ("ST-SR", ["mrta: --type: 'ST-SR': three types joined by hyphens are expected"]),
-        ("ST--XY", ["The tasks type must be selected.", "is not known (got 'XY'); accepted: IA, TA"]),
+        ("ST--XY", ["The tasks type must be selected: SR or MR.", "is not known (got 'XY'); accepted: IA, TA"]),
     ],
 )
 def test_bad_types_are_refused(here: Path, command: Command, types: str, lines: List[str]) -> None:

@@ -55,9 +55,9 @@ def test_automatic_ids_count_from_one(tmp_path: Path) -> None:
         ("email", "nobody", "The e-mail of the package maintainer must be given."),
         ("email", "a b@c", "must be an e-mail address (got 'a b@c')"),
         ("license", "", "The package license must be defined."),
-        ("robots_type", "", "The robots type must be selected."),
-        ("tasks_type", "", "The tasks type must be selected."),
-        ("allocations_type", "", "The allocations type must be selected."),
+        ("robots_type", "", "The robots type must be selected: ST or MT."),
+        ("tasks_type", "", "The tasks type must be selected: SR or MR."),
+        ("allocations_type", "", "The allocations type must be selected: IA or TA."),
         ("allocations_type", "XY", "is not known (got 'XY'); accepted: IA, TA"),
         ("architecture", "", "The architecture package must be given."),
         ("robots", (), "Enter the system robots."),
@@ -106,12 +106,12 @@ def test_defect_of_a_file_is_told_with_its_line(tmp_path: Path, old: str, new: s
 
 def test_everything_that_is_missing_is_told_at_once(tmp_path: Path) -> None:
     assert problems_of("license: MIT\n", tmp_path, "architecture") == [
-        "--allocations-type: The allocations type must be selected.",
+        "--allocations-type: The allocations type must be selected: IA or TA.",
         "--description: The package description must be given.",
         "--email: The e-mail of the package maintainer must be given.",
         "--maintainer: The package maintainer must be given.",
-        "--robots-type: The robots type must be selected.",
-        "--tasks-type: The tasks type must be selected.",
+        "--robots-type: The robots type must be selected: ST or MT.",
+        "--tasks-type: The tasks type must be selected: SR or MR.",
         "NAME: The package name must not be empty.",
     ]
 

@@ -59,7 +59,7 @@ def _add_architecture(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("the architecture")
     group.add_argument("--type", metavar="ST-SR-IA", help="the three types in one")
     for key, text in _TYPES.items():
-        group.add_argument(f"--{key.replace('_', '-')}", metavar=text[:5], help=text)
+        group.add_argument(f"--{key.replace('_', '-')}", metavar=text[:8].replace(" or ", "|"), help=text)
     group.add_argument(
         "--topic",
         metavar="KEYS",

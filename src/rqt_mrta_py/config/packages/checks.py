@@ -116,9 +116,9 @@ def _email(value: Any, _around: Surroundings) -> Optional[str]:
 
 def _type(axis: Any, name: str) -> Callable[[Any, Surroundings], Optional[str]]:
     def check(value: Any, _around: Surroundings) -> Optional[str]:
-        if not value:
-            return f"The {name} type must be selected."
         known = [member.value for member in axis if member.value]
+        if not value:
+            return f"The {name} type must be selected: {' or '.join(known)}."
         return None if axis.parse(value).value else f"is not known (got {shown(value)}); accepted: {', '.join(known)}"
 
     return check
