@@ -145,10 +145,11 @@ def test_examples_on_pages_of_rooms_run_and_print_what_they_say(
 
 
 def sessions() -> List[Tuple[str, List[str]]]:
-    """List the blocks of commands that begin with mrta, each with the page it stands on."""
+    """List the blocks of commands that begin with mrta, each with the page it stands on; a tutorial is one session."""
     return [
         (of_page(page), re.findall(r"^\$ (mrta .+)$", block, re.MULTILINE))
         for page in PAGES
+        if page.name != "tutorial.md"
         for block in re.findall(r"```console\n(\$ mrta .*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
     ]
 
