@@ -10,6 +10,7 @@ from typing import Any, Callable, Dict, List, NamedTuple, Sequence
 import pytest
 
 from rqt_mrta_py.config import (
+    RegistrationKind,
     parse_parameters,
     read_application,
     read_architecture,
@@ -19,13 +20,15 @@ from rqt_mrta_py.config import (
     write_application,
     write_architecture,
 )
+from rqt_mrta_py.config.packages.answers import read_answers
+from rqt_mrta_py.config.packages.checks import Surroundings, find_problems
 from rqt_mrta_py.errors import ConfigError, Problem
 from tests.config.mutations import mutated_xml, mutated_yaml
 from tests.conftest import ROOT
 
 QUICK = 250
 LONG = 35_000
-"""Hostile files of each of the six kinds."""
+"""Hostile files of each kind."""
 
 MOST_MEMORY = 300_000
 """No campaign may take more on top of what was there before [kB]."""
@@ -58,6 +61,17 @@ def _manifest(raw: bytes, folder: Path) -> None:
     read_manifest(path)
 
 
+def _answers_of(kind: RegistrationKind) -> Callable[[bytes, Path], None]:
+    def read(raw: bytes, folder: Path) -> None:
+        path = folder / "answers.yaml"
+        path.write_bytes(raw)
+        problems = list(find_problems(read_answers(path, kind), AROUND))
+        if problems:
+            raise ConfigError(problems)
+
+    return read
+
+
 def _found(*patterns: str) -> List[bytes]:
     paths = sorted(path for pattern in patterns for path in ROOT.glob(pattern))
     return [path.read_bytes() for path in paths]
@@ -70,6 +84,24 @@ YAML_TEXTS = [
     b"events:\n  - {time: 1, kind: robot_slows, robot: robot1, parameters: {factor: 0.5}}\n"
     b"  - time: 2\n    kind: radio_partitions\n    parameters: {groups: [[robot1]]}\n",
     b"robot1:\n  rate: 2.0\n  sensors: {size: 1, sensor0: {topic_name: scan}}\n  name: &n robot1\n  again: *n\n",
+]
+
+AROUND = Surroundings(("yard",), ("nearest_robot",), {"go_to_place": "basic_behaviours"}, ("planar", "bullet"))
+APPLICATION_ANSWERS = [
+    b"package: harbour\ndescription: Keeps a harbour.\nmaintainer: Ada\nemail: ada@example.org\n"
+    b"architecture: nearest_robot\nrobots: [{id: robot1}, {id: robot2, tasks: [quay]}]\n"
+    b"tasks:\n  - {id: quay, place: {x: 1, y: 2.5, yaw: 1}}\n  - {id: crane, predecessors: [quay], robots: 2}\n",
+    b"package: dock\nversion: 0.1.0\ndescription: A dock.\nmaintainer: Ada\nemail: ada@example.org\nlicense: MIT\n"
+    b"architecture: nearest_robot\nrobots: [{id: robot1}]\ntasks: [{id: quay, kind: go_to_place}]\n"
+    b"parameters:\n  robot1: {rate: 2.0, sensors: {sensor0: {topic_name: scan}}}\nworld: bullet\nduration: 12.5\n"
+    b"arena: {min_x: -3, min_y: -3, max_x: 3, max_y: 3}\nrun_depends: [std_msgs]\nworkspace: ws\n",
+]
+ARCHITECTURE_ANSWERS = [
+    b"package: bidding\ndescription: Bids.\nmaintainer: Ada\nemail: ada@example.org\n"
+    b"robots_type: ST\ntasks_type: SR\nallocations_type: IA\nplugin: false\n"
+    b"topics:\n  - {meaning: busy_robots, name: /busy, type: my_msgs/Busy, field: robot, timeout: 2, horizon: 5.5}\n"
+    b"parameters:\n  - name: motion/speed\n    type: double\n    default: '1.5'\n"
+    b"    tool_tip: Enter how fast it goes [m/s].\n",
 ]
 
 KINDS: Dict[str, Kind] = {
@@ -87,6 +119,8 @@ KINDS: Dict[str, Kind] = {
     "tasks": Kind(YAML_TEXTS, mutated_yaml, lambda raw, _: read_tasks(raw, "t.yaml")),
     "scenario": Kind(YAML_TEXTS, mutated_yaml, lambda raw, _: read_scenario(raw, "s.yaml", ["robot1"], ["dig"])),
     "parameters": Kind(YAML_TEXTS, mutated_yaml, lambda raw, _: parse_parameters(raw, "p.yaml")),
+    "application answers": Kind(APPLICATION_ANSWERS, mutated_yaml, _answers_of(RegistrationKind.APPLICATION)),
+    "architecture answers": Kind(ARCHITECTURE_ANSWERS, mutated_yaml, _answers_of(RegistrationKind.ARCHITECTURE)),
 }
 
 
