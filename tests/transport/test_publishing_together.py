@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Sequence, Tuple
+from typing import Any, Dict, List, Mapping, Sequence, Tuple
 
 import numpy as np
 import pytest
@@ -204,3 +204,42 @@ def test_taps_are_told_what_was_said_before_something_went_wrong(team: Team) -> 
     with pytest.raises(RuntimeError, match="broke down"):
         team.bus.publish_each(fail(), 1.0)
     assert [len(batch) for batch in team.told] == [2, 1]
+
+
+class _CountingCodec(RosCodec):
+    """Counts the messages that it is asked to encode."""
+
+    encoded = 0
+
+    def encode(self, type_name: str, fields: Mapping[str, Any]) -> bytes:
+        self.encoded += 1
+        return super().encode(type_name, fields)
+
+
+def test_a_command_that_is_held_is_made_once_and_heard_each_time() -> None:
+    codec = _CountingCodec(lookup)
+    bus = Bus(codec, ListLink(lambda sender, receiver: (0.0,)))
+    agent, driver = bus.node("/robot1/agent", "robot1"), bus.node("/robot1/driver", "robot1")
+    heard: List[Heard] = []
+    driver.subscribe(Subscription("cmd_vel", "geometry_msgs/Twist", ("linear/x",)), heard.append)
+    on = Outgoing("cmd_vel", "geometry_msgs/Twist", {"linear": {"x": 0.5}})
+    off = Outgoing("cmd_vel", "geometry_msgs/Twist", {"linear": {"x": 0.0}})
+    for tick, command in enumerate((on, on, on, off, on)):
+        bus.publish_each([(agent, (command,))], float(tick))
+        bus.deliver(float(tick))
+    assert [(each.ordinal, each.receipt, each.fields["linear/x"]) for each in heard] == [
+        (0, 0.0, 0.5),
+        (1, 1.0, 0.5),
+        (2, 2.0, 0.5),
+        (3, 3.0, 0.0),
+        (4, 4.0, 0.5),
+    ]
+    assert codec.encoded == 3
+
+
+def test_headers_are_counted_on_when_the_same_is_said_again(team: Team) -> None:
+    again = pose(1.0, 4.0)
+    for tick in range(3):
+        team.bus.publish_each([(team.drivers[0], (again,))], float(tick))
+        team.bus.deliver(float(tick))
+    assert [heard.fields["header/seq"] for node, heard in team.heard if node == "/robot1/agent"] == [1, 2, 3]

@@ -109,13 +109,13 @@ class Heard(NamedTuple):
 
 
 class Outgoing(NamedTuple):
-    """A message that somebody wants to publish.
+    """A message that somebody wants to publish; a value, so whoever publishes it again says the same again.
 
     Attributes:
         topic: absolute, relative or private; resolved in the publisher's namespace.
         type: ``pkg/Msg``.
-        fields: nested values by field name; fields left out take their type's zero; times as float seconds. A
-            ``header/seq`` left out is counted by the publisher.
+        fields: nested values by field name, not to be changed any more; fields left out take their type's zero; times
+            as float seconds. A ``header/seq`` left out is counted by the publisher.
         latched: True if late subscribers shall get it.
     """
 

@@ -56,13 +56,16 @@ class Progress(Enum):
     @property
     def code(self) -> int:
         """Give the constant of ``rqt_mrta_py/TaskProgress``."""
-        return list(Progress).index(self)
+        return _PROGRESS_BY_CODE.index(self)
 
     @classmethod
     def of_code(cls, code: int) -> Optional[Progress]:
         """Read a constant of ``rqt_mrta_py/TaskProgress``; None for a number that nobody has defined."""
-        members = list(cls)
-        return members[code] if 0 <= code < len(members) else None
+        return _PROGRESS_BY_CODE[code] if 0 <= code < len(_PROGRESS_BY_CODE) else None
+
+
+# A robot of a large team asks for each of its fellows at the start; to list the members takes longer than all else.
+_PROGRESS_BY_CODE = tuple(Progress)
 
 
 class Severity(Enum):

@@ -16,7 +16,7 @@ from typing import Callable, Dict, Iterable, List, Mapping, Optional, Sequence, 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Codec, Column, Connection, Link, Outgoing, Stamped
 from rqt_mrta_py.transport.codec.definitions import parse_definition
-from rqt_mrta_py.transport.embedded.inbox import Hearing, Inbox, Message
+from rqt_mrta_py.transport.embedded.inbox import Hearing, Inbox, Message, Read
 from rqt_mrta_py.transport.embedded.node import Node
 from rqt_mrta_py.transport.embedded.publisher import Publisher, encode_together
 from rqt_mrta_py.transport.embedded.wiring import Ear, Wiring
@@ -141,7 +141,8 @@ class Bus:
         try:
             for node, messages in said:
                 publishers = node.publishers
-                for topic_name, type_name, fields, latched in messages:
+                for message in messages:
+                    topic_name, type_name, _, latched = message
                     publisher = publishers.get((topic_name, type_name, latched))
                     if publisher is None:
                         publisher = node.publisher(topic_name, type_name, latched)
@@ -152,11 +153,11 @@ class Bus:
                         self._rewire(publisher)
                     heard = latched or publisher.receivers
                     if heard or tapped:
-                        raw = publisher.encode(codec, fields)
+                        raw = publisher.encode(codec, message)
                         connections.append(publisher.connection)
                         raws.append(raw)
                         if heard:
-                            self._hand_out(publisher, ordinal, raw)
+                            self._hand_out(publisher, ordinal, raw, publisher.read)
         finally:
             self._tell(connections, raws)
 
@@ -194,7 +195,7 @@ class Bus:
         self._tell([publisher.connection for publisher in publishers], raws)
         if heard:
             for publisher, ordinal, raw in zip(publishers, ordinals, raws):
-                self._hand_out(publisher, ordinal, raw)
+                self._hand_out(publisher, ordinal, raw, {})
 
     def subscribe(self, ear: Ear) -> None:
         """Let a new subscription hear; latched messages set out for it. Nodes call this."""
@@ -240,10 +241,10 @@ class Bus:
             for tap in self._taps:
                 tap(batch)
 
-    def _hand_out(self, publisher: Publisher, ordinal: int, raw: bytes) -> None:
+    def _hand_out(self, publisher: Publisher, ordinal: int, raw: bytes, read: Read) -> None:
         """Send a message to all who hear it."""
         connection = publisher.connection
-        message: Message = (connection.topic, connection.type, connection.caller, ordinal, raw, {})
+        message: Message = (connection.topic, connection.type, connection.caller, ordinal, raw, read)
         if connection.latched:
             publisher.last = message
         now, sender = self._now, publisher.robot

@@ -9,7 +9,7 @@ from typing import Any, Callable, Deque, Dict, List, Mapping, NamedTuple, Option
 
 from rqt_mrta_py.hooks import FieldReader, Heard
 
-__all__ = ["Delivery", "Hearing", "Inbox", "Message"]
+__all__ = ["Delivery", "Hearing", "Inbox", "Message", "Read"]
 
 
 class Hearing(NamedTuple):
@@ -22,8 +22,11 @@ class Hearing(NamedTuple):
     reader: Optional[FieldReader]
 
 
-Message = Tuple[str, str, str, int, bytes, Dict[Tuple[str, ...], Mapping[str, Any]]]
-"""A message under way: topic, type, caller, ordinal, bytes, and what has been read of them, by paths, whoever hears it.
+Read = Dict[Tuple[str, ...], Mapping[str, Any]]
+"""What has been read of a message, by the paths that were asked for."""
+
+Message = Tuple[str, str, str, int, bytes, Read]
+"""A message under way: topic, type, caller, ordinal, bytes, and what has been read of them, whoever hears it.
 
 A plain tuple, for there are tens of thousands a second.
 """

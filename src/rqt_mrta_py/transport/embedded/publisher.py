@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import struct
-from typing import Any, List, Mapping, Optional, Sequence, Tuple
+from typing import List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Codec, Column, Connection
-from rqt_mrta_py.transport.embedded.inbox import Message
+from rqt_mrta_py.hooks import Codec, Column, Connection, Outgoing
+from rqt_mrta_py.transport.embedded.inbox import Message, Read
 from rqt_mrta_py.transport.embedded.wiring import Receiver, Topic
 
 __all__ = ["Publisher", "encode_together"]
@@ -30,9 +30,23 @@ class Publisher:
         receivers: who hears them, as of ``version`` of the topic.
         version: see Topic.
         last: the message that late subscribers get; None if there is none.
+        raw: the latest message as ``encode`` gave it.
+        read: what hearers have read of it, by the paths they asked for.
     """
 
-    __slots__ = ("connection", "header", "last", "receivers", "robot", "seq", "topic", "version")
+    __slots__ = (
+        "_said",
+        "connection",
+        "header",
+        "last",
+        "raw",
+        "read",
+        "receivers",
+        "robot",
+        "seq",
+        "topic",
+        "version",
+    )
 
     def __init__(self, robot: str, topic: Topic, connection: Connection, header: str) -> None:
         self.robot = robot
@@ -43,25 +57,33 @@ class Publisher:
         self.receivers: Tuple[Receiver, ...] = ()
         self.version = -1
         self.last: Optional[Message] = None
+        self.raw = b""
+        self.read: Read = {}
+        self._said: Optional[Outgoing] = None
 
-    def encode(self, codec: Codec, fields: Mapping[str, Any]) -> bytes:
-        """Serialise the latest message.
+    def encode(self, codec: Codec, said: Outgoing) -> bytes:
+        """Serialise the latest message; one that is said again, such as a command that is held, is not made again.
 
         Args:
             codec: for messages of its type.
-            fields: of the message.
+            said: the message.
 
         Raises:
             TransportError: it does not fit its type; names node, topic and path.
         """
+        if said is self._said:
+            return self.raw
         try:
-            raw = codec.encode(self.connection.type, fields)
+            raw = codec.encode(self.connection.type, said.fields)
         except TransportError as error:
             raise _named(self, error) from error
+        self.read = {}
         if self.header:
-            header = fields.get(self.header)
+            header = said.fields.get(self.header)
             if header is None or "seq" not in header:
-                return _seq_word(self.seq) + raw[4:]
+                self.raw = _seq_word(self.seq) + raw[4:]
+                return self.raw
+        self.raw, self._said = raw, said
         return raw
 
 
