@@ -279,7 +279,10 @@ def test_registry_names_the_nearest_name_for_one_that_is_not_registered(package:
         f"plain: the package in {folder.parent / 'plain'} registers no application; its package.xml must depend on "
         "rqt_mrta_py and export <rqt_mrta_py application=.../>"
     )
-    assert str(none.value) == "x: no architecture of this name is registered; there is none"
+    assert str(none.value) == (
+        "x: no architecture of this name is registered; there is none; packages are found on ROS_PACKAGE_PATH, or by "
+        "their folder"
+    )
 
 
 def test_discovery_of_a_hundred_foreign_packages_costs_milliseconds(

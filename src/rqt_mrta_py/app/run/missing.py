@@ -19,7 +19,8 @@ def missing_agents(package: str, factories: Mapping[str, Any]) -> Optional[str]:
     """
     if package in factories:
         return None
-    return f"no plugin provides agents for this architecture; {accepted(package, sorted(factories))}"
+    known = accepted(package, sorted(factories))
+    return f"no plugin provides agents for this architecture (plugins are found on ROS_PACKAGE_PATH); {known}"
 
 
 def missing_behaviour(task: Task, factories: Mapping[str, Any]) -> Optional[str]:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Mapping, Optional, Tuple
 
 from rqt_mrta_py.errors import DiscoveryError, Problem
-from rqt_mrta_py.wording import accepted
+from rqt_mrta_py.wording import accepted, nearest
 
 __all__ = ["Registration", "RegistrationKind", "Registry"]
 
@@ -91,7 +91,9 @@ class Registry:
                 f"rqt_mrta_py and export <rqt_mrta_py {what if kind else 'application'}=.../>"
             )
         known = dict.fromkeys(registration.package for registration in candidates)
-        raise DiscoveryError(f"{name}: no {what} of this name is registered; {accepted(name, known)}")
+        # A name that is near none may be right, and its package elsewhere.
+        hint = "" if nearest(name, known) else "; packages are found on ROS_PACKAGE_PATH, or by their folder"
+        raise DiscoveryError(f"{name}: no {what} of this name is registered; {accepted(name, known)}{hint}")
 
     def message_file(self, type_name: str) -> Optional[Path]:
         """Find the definition of a message type, in any package, whether it registers anything or not.
