@@ -14,6 +14,7 @@ from typing import Dict, Iterator, Tuple
 import pytest
 
 from tests.app.outputs import Outputs
+from tests.ros_master import running_master, say
 
 pytestmark = pytest.mark.ros
 
@@ -61,11 +62,7 @@ def ros_environment(tmp_path_factory: pytest.TempPathFactory) -> Dict[str, str]:
 
 
 def rosbag(*arguments: str, environment: Dict[str, str], timeout: float = 60) -> str:
-    finished = subprocess.run(
-        ["rosbag", *arguments], capture_output=True, text=True, env=environment, timeout=timeout, check=False
-    )
-    assert finished.returncode == 0, finished.stderr
-    return finished.stdout
+    return say("rosbag", *arguments, environment=environment, timeout=timeout)
 
 
 def test_rosbag_info_finds_every_topic_with_its_type_and_messages(
@@ -106,30 +103,8 @@ def test_message_types_are_those_of_the_generated_classes(patrol: Outputs, ros_e
 @pytest.fixture
 def master(ros_environment: Dict[str, str]) -> Iterator[Dict[str, str]]:
     """Start a master on a free port and give an environment that points at it."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
-    environment = {**ros_environment, "ROS_MASTER_URI": f"http://127.0.0.1:{port}"}
-    script = (
-        "import sys, rosmaster.master\n"
-        f"master = rosmaster.master.Master({port})\n"
-        "master.start()\n"
-        "print('ready', flush=True)\n"
-        "sys.stdin.read()\n"
-        "master.stop()\n"
-    )
-    process = subprocess.Popen(
-        ["/usr/bin/python3", "-c", script], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment
-    )
-    assert process.stdin is not None
-    assert process.stdout is not None
-    try:
-        assert process.stdout.readline().strip() == "ready"
+    with running_master(ros_environment) as environment:
         yield environment
-    finally:
-        process.stdin.close()
-        process.stdout.close()
-        process.wait(timeout=20)
 
 
 def test_rosbag_play_plays_the_bag_to_a_real_master(patrol: Outputs, master: Dict[str, str]) -> None:

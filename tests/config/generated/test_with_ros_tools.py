@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import socket
-import subprocess
 from pathlib import Path
 from typing import Dict, Iterator
 
@@ -15,6 +13,7 @@ import yaml
 from rqt_mrta_py.config.generated.files import generated_files
 from rqt_mrta_py.config.generated.parameter_text import parameter_text
 from tests.config.generated.teams import make_team
+from tests.ros_master import running_master, say
 
 pytestmark = pytest.mark.ros
 
@@ -59,14 +58,9 @@ def environment(tmp_path: Path) -> Dict[str, str]:
     """Give an environment with the packages of this test only; skip without ROS."""
     if shutil.which("roslaunch") is None or shutil.which("rosparam") is None:
         pytest.skip("ROS 1 is not installed: no roslaunch or rosparam on PATH")
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
     return {
         **os.environ,
         "ROS_PACKAGE_PATH": str(tmp_path / "packages"),
-        "ROS_MASTER_URI": f"http://127.0.0.1:{port}",
-        "ROS_HOSTNAME": "127.0.0.1",
         "ROS_HOME": str(tmp_path / "home"),
         "ROS_LOG_DIR": str(tmp_path / "home"),
     }
@@ -75,30 +69,8 @@ def environment(tmp_path: Path) -> Dict[str, str]:
 @pytest.fixture
 def master(environment: Dict[str, str]) -> Iterator[Dict[str, str]]:
     """Start a master and give an environment that points at it."""
-    port = environment["ROS_MASTER_URI"].rsplit(":", 1)[1]
-    script = (
-        "import sys, rosmaster.master\n"
-        f"master = rosmaster.master.Master({port})\n"
-        "master.start()\n"
-        "print('ready', flush=True)\n"
-        "sys.stdin.read()\n"
-        "master.stop()\n"
-    )
-    command = ["/usr/bin/python3", "-c", script]
-    with subprocess.Popen(
-        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment
-    ) as process:
-        assert process.stdin is not None
-        assert process.stdout is not None
-        assert process.stdout.readline().strip() == "ready"
-        yield environment
-        process.stdin.close()
-
-
-def say(*command: str, environment: Dict[str, str]) -> str:
-    finished = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=60, check=False)
-    assert finished.returncode == 0, finished.stderr
-    return finished.stdout
+    with running_master(environment) as pointed:
+        yield pointed
 
 
 def test_rosparam_loads_equal_values(master: Dict[str, str], tmp_path: Path) -> None:
