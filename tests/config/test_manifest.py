@@ -198,6 +198,15 @@ def test_manifest_that_is_broken_is_refused(write: Write, text: str, said: str) 
     assert str(caught.value) == f"{path}:{said}"
 
 
+@pytest.mark.parametrize("name", ["../../x", "..", "a/b", "/tmp/x", "-x", "a b", "@robot_id@", "b\u00fccher"])
+def test_manifest_of_a_package_whose_name_could_lead_elsewhere_is_refused(write: Write, name: str) -> None:
+    """``config/<architecture>/`` and ``launch/<package>.launch`` were written outside of the application."""
+    path = write("p/package.xml", f'<package format="2">\n<name>{name}</name>\n</package>\n')
+    with pytest.raises(ConfigError) as caught:
+        read_manifest(path)
+    assert str(caught.value) == f"{path}:2: name: must be letters, digits, _ and - (got {name!r}); give such a name"
+
+
 def test_manifest_that_is_missing_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ConfigError, match=r"package\.xml: cannot be read: No such file or directory"):
         read_manifest(tmp_path / "package.xml")

@@ -35,6 +35,7 @@ ROSBUILD_MANIFEST = "manifest.xml"
 _RUN_TIME = ("run_depend", "exec_depend", "depend")
 _FILES = ("scenario", "tasks")
 _ATTRIBUTES = ("architecture", "application", "plugin", *_FILES)
+_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*\Z")
 _MODULE = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*\Z", re.ASCII)
 
 
@@ -64,7 +65,7 @@ def read_manifest(path: Path) -> Manifest:
         path: of the file.
 
     Raises:
-        ConfigError: it cannot be read, is not XML that is accepted here, or names no package.
+        ConfigError: it cannot be read, is not XML that is accepted here, or names no package that catkin would accept.
     """
     return parse_manifest(read_file(path), path)
 
@@ -85,9 +86,13 @@ def parse_manifest(raw: bytes, path: Path) -> Manifest:
     if root.tag != "package":
         problems.add(line_of(root), str(root.tag), "is not the root of a manifest; accepted: package")
     is_rosbuild = path.name == ROSBUILD_MANIFEST
+    node = root.find("name")
     name = path.absolute().parent.name if is_rosbuild else (root.findtext("name") or "").strip()
     if not name:
         problems.add(line_of(root), "name", "is missing or empty; give the name of the package")
+    elif node is not None and not is_rosbuild and not _NAME.match(name):
+        # Files and folders are named after packages; a name such as "../x" would lead out of them.
+        problems.add(line_of(node), "name", f"must be letters, digits, _ and - (got {shown(name)}); give such a name")
     problems.raise_if_any()
     return _Reader(path, name, problems).read(root)
 
