@@ -3,8 +3,8 @@
 * ``scene``, ``path``, ``frames``, ``happenings``: follow the stream to know where everything is and was, and what a
   scenario made happen
 * ``monitor``: one moment; its parts are ``header``, ``floor``, ``arena``, ``crowd`` and ``trails``, ``team``,
-  ``tasks``, ``events``, ``timeline`` and ``marks``, ``curves`` and ``curve_axes``; ``page`` is what they are drawn from,
-  ``layers`` draw again only what looks different
+  ``tasks``, ``events``, ``timeline`` and ``marks``, ``curves`` and ``curve_axes``; ``page`` is what they are drawn
+  from, ``layers`` draw again only what looks different
 * ``dashboard``: the whole; its parts are in ``charts``
 * ``layout``, ``canvas``, ``text``, ``labels``, ``signs``, ``stamps``, ``palette``, ``times``, ``spells``,
   ``foremost``: what parts are drawn with
