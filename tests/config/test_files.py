@@ -1,10 +1,11 @@
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
 
-from rqt_mrta_py.config.files import read_file, write_together, write_whole
+from rqt_mrta_py.config.files import read_file, read_if_there, write_together, write_whole
 from rqt_mrta_py.errors import ConfigError
 
 
@@ -90,6 +91,72 @@ def test_files_are_put_back_when_a_renaming_fails(
         write_together({tmp_path / "a": "2", tmp_path / "b": "2", tmp_path / "sub" / "c": "2"})
     assert {path.name: path.read_text() for path in tmp_path.rglob("*") if path.is_file()} == before
     assert not (tmp_path / "sub").exists()
+
+
+@pytest.mark.parametrize("interrupted", [1, 2, 3, 4, 5])
+def test_files_are_put_back_when_somebody_interrupts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, interrupted: int
+) -> None:
+    """Ctrl-C right behind a renaming, which has been done by then."""
+    before = {"a": "1", "b": "1"}
+    for name, text in before.items():
+        (tmp_path / name).write_text(text)
+    renamed = Path.replace
+    calls = []
+
+    def replace(self: Path, target: Path) -> Path:
+        calls.append(target)
+        there = renamed(self, target)
+        if len(calls) == interrupted:
+            raise KeyboardInterrupt
+        return there
+
+    monkeypatch.setattr(Path, "replace", replace)
+    with pytest.raises(KeyboardInterrupt):
+        write_together({tmp_path / "a": "2", tmp_path / "b": "2", tmp_path / "sub" / "c": "2"})
+    assert {path.name: path.read_text() for path in tmp_path.rglob("*") if path.is_file()} == before
+    assert not (tmp_path / "sub").exists()
+
+
+def test_two_links_to_one_file_are_told_and_the_file_stays(tmp_path: Path) -> None:
+    """The file was lost, for what had been written first counted as what had been there before."""
+    (tmp_path / "one.yaml").write_text("old")
+    (tmp_path / "other.yaml").symlink_to("one.yaml")
+    with pytest.raises(ConfigError) as caught:
+        write_together({tmp_path / "one.yaml": "a", tmp_path / "other.yaml": "b"})
+    said = f"cannot be written: it and another of these files are {tmp_path.resolve() / 'one.yaml'}"
+    assert str(caught.value) == f"{tmp_path / 'other.yaml'}: {said}; nothing was changed"
+    assert sorted((path.name, path.read_text()) for path in tmp_path.iterdir()) == [
+        ("one.yaml", "old"),
+        ("other.yaml", "old"),
+    ]
+
+
+def test_a_link_to_itself_is_told(tmp_path: Path) -> None:
+    (tmp_path / "a.yaml").symlink_to("a.yaml")
+    with pytest.raises(
+        ConfigError, match=r"a\.yaml: cannot be written: Too many levels of symbolic links; nothing was"
+    ):
+        write_together({tmp_path / "a.yaml": "a"})
+
+
+def test_a_link_where_files_are_written_aside_is_not_followed(tmp_path: Path) -> None:
+    (tmp_path / "elsewhere").write_text("somebody's own")
+    for aside in (".a.yaml.part", f".a.yaml.{os.getpid()}.part"):
+        (tmp_path / aside).symlink_to("elsewhere")
+    write_together({tmp_path / "a.yaml": "new"})
+    assert (tmp_path / "elsewhere").read_text() == "somebody's own"
+    assert (tmp_path / "a.yaml").read_text() == "new"
+    assert not (tmp_path / "a.yaml").is_symlink()
+
+
+def test_read_if_there_tells_what_is_missing_from_what_cannot_be_read(tmp_path: Path) -> None:
+    (tmp_path / "there").write_bytes(b"x")
+    assert read_if_there(tmp_path / "there") == b"x"
+    assert read_if_there(tmp_path / "missing" / "file") is None
+    assert read_if_there(tmp_path) is None
+    with pytest.raises(ConfigError, match="a: cannot be read: File name too long"):
+        read_if_there(tmp_path / ("a" * 300))
 
 
 def test_writing_goes_through_a_link_and_keeps_the_rights_of_the_file(tmp_path: Path) -> None:

@@ -41,6 +41,14 @@ def test_source_of_a_folder_that_holds_nothing_is_refused(tmp_path: Path) -> Non
     assert str(caught.value) == f"{tmp_path}: holds neither package.xml nor rqt_mrta.xml"
 
 
+def test_source_of_a_name_longer_than_names_of_files_is_refused_by_itself(tmp_path: Path) -> None:
+    name = "a" * 300
+    with pytest.raises(DiscoveryError, match=r"^a{300}: no architecture of this name is registered"):
+        find_source(Registry(), name, ARCHITECTURE)
+    with pytest.raises(DiscoveryError, match=r"a{300}: there is no such file or folder"):
+        find_source(Registry(), f"{tmp_path}/{name}", ARCHITECTURE)
+
+
 def test_source_of_a_package_that_registers_something_else_is_refused(write: Write) -> None:
     write("p/a.xml", "<a/>")
     folder = write("p/package.xml", MANIFEST).parent

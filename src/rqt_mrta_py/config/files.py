@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 from pathlib import Path
 from typing import Dict, List, Mapping, Optional
 
 from rqt_mrta_py.errors import ConfigError, Problem
 
-__all__ = ["read_file", "write_together", "write_whole"]
+__all__ = ["read_file", "read_if_there", "write_together", "write_whole"]
 
 
 def read_file(path: Path) -> bytes:
@@ -20,7 +21,21 @@ def read_file(path: Path) -> bytes:
     try:
         return path.read_bytes()
     except OSError as error:
-        raise ConfigError([Problem(str(path), 0, "", f"cannot be read: {error.strerror or error}")]) from error
+        raise _unreadable(path, error) from error
+
+
+def read_if_there(path: Path) -> Optional[bytes]:
+    """Read a file whole; None where there is none.
+
+    Raises:
+        ConfigError: it cannot be read, or its name is longer than names can be; says why.
+    """
+    try:
+        if not path.is_file():
+            return None
+    except OSError as error:
+        raise _unreadable(path, error) from error
+    return read_file(path)
 
 
 def write_whole(path: Path, data: bytes) -> None:
@@ -85,32 +100,39 @@ class _Change:
         self._folders: List[Path] = []
 
     def prepare(self, path: Path, text: Optional[str]) -> None:
-        target = self._targets[path] = path if text is None else path.resolve()
+        target = self._targets[path] = path if text is None else _behind_links(path)
         if target.is_dir():
             raise IsADirectoryError(None, "Is a directory")
         if text is None:
             return
+        if target in self._new:
+            raise FileExistsError(None, f"it and another of these files are {target}")
         self._make_folder(target.parent)
-        self._new[target] = aside = target.with_name(f".{target.name}.part")
-        aside.write_bytes(text.encode("utf-8"))
+        self._new[target] = aside = _beside(target, "part")
+        _remove(aside)
+        # A link in its place, whoever put it there, is not followed.
+        with aside.open("xb") as file:
+            file.write(text.encode("utf-8"))
         if target.exists():
             shutil.copymode(target, aside)
 
     def carry_out(self, path: Path) -> None:
         target = self._targets[path]
         if target.exists() or target.is_symlink():
-            before = target.with_name(f".{target.name}.before")
+            # Noted first, for Ctrl-C may come at any time.
+            before = self._old[target] = _beside(target, "before")
             target.replace(before)
-            self._old[target] = before
         if target in self._new:
-            self._new[target].replace(target)
             self._placed.append(target)
+            self._new[target].replace(target)
 
     def undo(self) -> None:
         for target in self._placed:
-            _remove(target)
+            if target not in self._old:
+                _remove(target)
         for target, before in self._old.items():
-            before.replace(target)
+            if os.path.lexists(before):
+                before.replace(target)
         for aside in self._new.values():
             _remove(aside)
         for folder in reversed(self._folders):
@@ -131,6 +153,22 @@ class _Change:
         for each in reversed(missing):
             each.mkdir()
             self._folders.append(each)
+
+
+def _behind_links(path: Path) -> Path:
+    try:
+        return path.resolve()
+    except RuntimeError as error:
+        raise OSError(None, "Too many levels of symbolic links") from error
+
+
+def _beside(target: Path, ending: str) -> Path:
+    """Name a file beside another that no other process uses."""
+    return target.with_name(f".{target.name}.{os.getpid()}.{ending}")
+
+
+def _unreadable(path: Path, error: OSError) -> ConfigError:
+    return ConfigError([Problem(str(path), 0, "", f"cannot be read: {error.strerror or error}")])
 
 
 def _remove(path: Path) -> None:

@@ -101,6 +101,12 @@ def test_a_path_that_is_not_there_is_bad_input(command: Command) -> None:
     assert told.err.startswith("mrta: no/where: there is no such package, file or folder")
 
 
+def test_a_name_longer_than_names_of_files_is_bad_input(command: Command) -> None:
+    told = command("doctor", "a" * 300)
+    assert told.status == 3
+    assert told.err.startswith(f"mrta: {'a' * 300}: no package has this name; accepted: ")
+
+
 def test_a_folder_without_packages_is_bad_input(command: Command, tmp_path: Path) -> None:
     told = command("doctor", str(tmp_path))
     assert (told.status, told.err) == (3, f"mrta: {tmp_path}: holds neither a package nor an rqt_mrta.xml\n")

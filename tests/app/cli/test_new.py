@@ -217,6 +217,24 @@ def test_bad_flag_is_refused_and_nothing_written(here: Path, command: Command, f
     assert list(here.iterdir()) == []
 
 
+def test_a_package_with_too_long_a_name_is_refused(here: Path, command: Command) -> None:
+    name = "a" * 300
+    plan = ["--architecture", "nearest_robot", "--robots", "1", "--tasks", "1", *ABOUT]
+    told = command("new", "application", name, *plan)
+    assert (told.status, told.err) == (
+        3,
+        f"mrta: {here / name}: cannot be written: File name too long; nothing was changed\n",
+    )
+    assert list(here.iterdir()) == []
+
+
+def test_a_workspace_in_the_home_of_nobody_is_a_folder_of_that_name(here: Path, command: Command) -> None:
+    plan = ["--architecture", "nearest_robot", "--robots", "1", "--tasks", "1", *ABOUT]
+    told = command("new", "application", "yard", *plan, "--workspace", "~no body", "--dry-run")
+    assert told.status == 0
+    assert f"A ROS package will be created in: {here / '~no body' / 'src' / 'yard'}" in told.out.splitlines()
+
+
 @pytest.mark.parametrize(
     ("types", "lines"),
     [

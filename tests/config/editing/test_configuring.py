@@ -49,6 +49,26 @@ def test_a_plan_writes_nothing(plan: Configure, yard: Path) -> None:
     assert {path: path.read_text() for path in yard.rglob("*") if path.is_file()} == before
 
 
+def test_a_plan_is_not_carried_out_over_what_somebody_changed_meanwhile(plan: Configure, yard: Path) -> None:
+    """Of two edits at once the first was lost, and nobody was told."""
+    first, second = plan(SetValue("robot1/rate", "3")), plan(SetValue("robot2/rate", "4"))
+    first.carry_out()
+    after_first = {path: path.read_text() for path in yard.rglob("*") if path.is_file()}
+    with pytest.raises(ConfigError) as caught:
+        second.carry_out()
+    message = "was changed by somebody else meanwhile; nothing was changed here, try again"
+    assert f"{yard / 'rqt_mrta.xml'}: {message}" in str(caught.value).splitlines()
+    assert {path: path.read_text() for path in yard.rglob("*") if path.is_file()} == after_first
+
+
+def test_a_robot_whose_files_would_have_too_long_a_name_is_refused(plan: Configure, yard: Path) -> None:
+    name = "a" * 250
+    (yard / "config").mkdir()
+    with pytest.raises(ConfigError) as caught:
+        plan(AddRobot(name)).carry_out()
+    assert str(caught.value) == f"{yard / 'config' / name}_params.yaml: cannot be read: File name too long"
+
+
 def test_files_of_ones_own_are_left(configure: Configure, yard: Path) -> None:
     (yard / "config").mkdir()
     (yard / "launch").mkdir()

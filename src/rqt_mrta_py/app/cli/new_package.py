@@ -109,7 +109,8 @@ def _surroundings(host: Host, answers: Answers) -> Surroundings:
 
 def _workspace(answers: Answers) -> Optional[Workspace]:
     text = answers.text("workspace")
-    return look_at_workspace(Path(text).expanduser(), os.environ) if text else None
+    # Path.expanduser() raises where it knows no home; "~x" is a folder's name then, as in a shell.
+    return look_at_workspace(Path(os.path.expanduser(text)), os.environ) if text else None  # noqa: PTH111
 
 
 def _parent(answers: Answers) -> Path:

@@ -65,7 +65,7 @@ def find_subjects(names: Sequence[str], environ: Mapping[str, str]) -> Found:
 
 def _places(names: Sequence[str], environ: Mapping[str, str]) -> List[Path]:
     """List the folders that are named; a registered name goes before a folder of that name."""
-    paths = [(name, _path(name)) for name in names]
+    paths = [(name, path) for name, path in zip(names, map(_path, names)) if _is_there(path)]
     plain = any(os.sep not in name and path.is_dir() for name, path in paths)
     registered = discover(environ).packages if plain else {}
     folders = []
@@ -79,6 +79,10 @@ def _places(names: Sequence[str], environ: Mapping[str, str]) -> List[Path]:
 
 def _path(name: str) -> Path:
     return Path(os.path.abspath(name))  # noqa: PTH100 - resolve() would follow links
+
+
+def _is_there(path: Path) -> bool:
+    return os.path.exists(path)  # noqa: PTH110 - Path.exists() raises at long names
 
 
 def _is_below(path: Path, folder: Path) -> bool:
@@ -96,9 +100,10 @@ def _all(host: Host) -> Iterator[Subject]:
 def _named(names: Sequence[str], host: Host) -> Iterator[Subject]:
     for name in names:
         path = _path(name)
-        if name in host.registry.packages and not (os.sep in name or path.is_file()):
+        is_there = _is_there(path)
+        if name in host.registry.packages and not (os.sep in name or (is_there and path.is_file())):
             yield _package(name, _manifest(host.registry.packages[name]), host)
-        elif not path.exists():
+        elif not is_there:
             known = dict.fromkeys([entry.package for entry in host.registry.registrations])
             message = "there is no such package, file or folder" if os.sep in name else "no package has this name"
             raise DiscoveryError(f"{name}: {message}; {accepted(name, known)}")

@@ -43,7 +43,7 @@ def find_source(registry: Registry, name: str, kind: RegistrationKind) -> Source
     path = Path(os.path.abspath(name))  # noqa: PTH100 - resolve() would follow links
     if not _is_path(name, path):
         return _from_registration(registry.find(name, kind))
-    if not path.exists():
+    if not os.path.exists(path):  # noqa: PTH110 - Path.exists() raises at long names
         raise DiscoveryError(f"{name}: there is no such file or folder; give a registered name or an {_FILE}")
     folder, file = (path, None) if path.is_dir() else (path.parent, path)
     if not (folder / MANIFEST).is_file():
@@ -77,7 +77,7 @@ def find_registrations(registry: Registry, name: str) -> Tuple[Registration, ...
     path = Path(os.path.abspath(name))  # noqa: PTH100 - resolve() would follow links
     if found or not _is_path(name, path):
         return found or (registry.find(name),)
-    if not path.exists():
+    if not os.path.exists(path):  # noqa: PTH110 - Path.exists() raises at long names
         raise DiscoveryError(f"{name}: there is no such file or folder; give a registered name or an {_FILE}")
     folder, file = (path, path / _FILE) if path.is_dir() else (path.parent, path)
     has_manifest = (folder / MANIFEST).is_file()
@@ -109,4 +109,4 @@ def _from_registration(registration: Registration) -> Source:
 
 
 def _is_path(name: str, path: Path) -> bool:
-    return os.sep in name or name.endswith(".xml") or path.is_dir()
+    return os.sep in name or name.endswith(".xml") or os.path.isdir(path)  # noqa: PTH112 - as above

@@ -13,7 +13,7 @@ from rqt_mrta_py.config.editing.following import following_reader, generated_bel
 from rqt_mrta_py.config.editing.robots import RenameRobot
 from rqt_mrta_py.config.editing.telling import as_options
 from rqt_mrta_py.config.editing.values import SetValue, UnsetValue, find_target
-from rqt_mrta_py.config.files import read_file, write_together
+from rqt_mrta_py.config.files import read_file, read_if_there, write_together
 from rqt_mrta_py.config.generated.files import generated_files
 from rqt_mrta_py.config.generated.marks import is_generated
 from rqt_mrta_py.config.loading import load_team
@@ -82,8 +82,12 @@ class Configuration(NamedTuple):
         """Write and remove files, all of them or none.
 
         Raises:
-            ConfigError: one of them cannot be written; nothing was changed.
+            ConfigError: one of them cannot be written, or somebody changed it meanwhile; nothing was changed.
         """
+        message = "was changed by somebody else meanwhile; nothing was changed here, try again"
+        stale = [each.path for each in self.changes if _content(each.path) != each.before]
+        if stale:
+            raise ConfigError(Problem(str(path), 0, "", message) for path in stale)
         write_together({each.path: each.after for each in self.changes})
 
 
@@ -217,9 +221,8 @@ def _own_files(folder: Path, generated: Dict[str, str]) -> Tuple[Path, ...]:
 
 
 def _content(path: Path) -> Optional[str]:
-    if not path.is_file():
-        return None
-    return read_file(path).decode("utf-8", "replace")
+    raw = read_if_there(path)
+    return None if raw is None else raw.decode("utf-8", "replace")
 
 
 def _in_the_way(team: Team, own: Sequence[Path], edits: Sequence[Edit]) -> Iterator[Problem]:

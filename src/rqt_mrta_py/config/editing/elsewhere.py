@@ -7,8 +7,9 @@ from typing import Any, Dict, List, Optional, Sequence, Union
 
 from rqt_mrta_py.config.editing.draft import refused
 from rqt_mrta_py.config.editing.values import SetValue, Target, UnsetValue, find_target, type_of
+from rqt_mrta_py.config.files import read_if_there
 from rqt_mrta_py.config.parameters.parameter_file import dump_parameters, parse_parameters
-from rqt_mrta_py.config.parameters.team import FileReader, Team, config_name, parameter_folder, read_if_there
+from rqt_mrta_py.config.parameters.team import FileReader, Team, config_name, parameter_folder
 from rqt_mrta_py.config.parameters.values import parse_text
 from rqt_mrta_py.wording import accepted
 

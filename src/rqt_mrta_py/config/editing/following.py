@@ -8,17 +8,11 @@ from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple
 from rqt_mrta_py.config.editing.robots import RemoveRobot, RenameRobot, own_id_parameters
 from rqt_mrta_py.config.editing.task_arrays import TaskArray, task_arrays
 from rqt_mrta_py.config.editing.tasks import AddTask, RemoveTask, RenameTask
+from rqt_mrta_py.config.files import read_if_there
 from rqt_mrta_py.config.generated.marks import is_generated
 from rqt_mrta_py.config.parameters.context import Path as ParameterPath
 from rqt_mrta_py.config.parameters.parameter_file import dump_parameters, parse_parameters
-from rqt_mrta_py.config.parameters.team import (
-    FileReader,
-    Team,
-    config_name,
-    file_name,
-    parameter_folder,
-    read_if_there,
-)
+from rqt_mrta_py.config.parameters.team import FileReader, Team, config_name, file_name, parameter_folder
 from rqt_mrta_py.model import ConfigTemplate
 
 __all__ = ["following_reader", "generated_below"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple
 
+from rqt_mrta_py.config.files import read_if_there
 from rqt_mrta_py.config.generated.launches import launch_files
 from rqt_mrta_py.config.generated.marks import MARK, MARK_AWAY
 from rqt_mrta_py.config.generated.parameter_text import parameter_text
@@ -16,7 +17,6 @@ from rqt_mrta_py.config.parameters.team import (
     file_name,
     no_files,
     parameter_folder,
-    read_if_there,
     resolve_shared,
     resolve_team,
 )

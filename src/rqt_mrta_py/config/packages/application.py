@@ -75,9 +75,13 @@ def application_files(answers: Answers, described: PackageDescription, place: Ap
     files = _written(answers, described, architecture, place.around)
     with tempfile.TemporaryDirectory(prefix="mrta-new-") as name:
         folder = Path(name).resolve() / described.package
-        folder.mkdir()
-        for path, text in files.items():
-            (folder / path).write_text(text, encoding="utf-8")
+        try:
+            folder.mkdir()
+            for path, text in files.items():
+                (folder / path).write_text(text, encoding="utf-8")
+        except OSError as error:
+            message = f"cannot be written: {error.strerror or error}; nothing was changed"
+            raise ConfigError([Problem(str(place.folder), 0, "", message)]) from error
         try:
             files.update(_configured(answers, architecture.package, folder, place))
         except ConfigError as error:

@@ -65,7 +65,11 @@ def _make_folders(folder: Path, made: List[Path]) -> None:
         missing.append(folder)
         folder = folder.parent
     for each in reversed(missing):
-        each.mkdir()
+        try:
+            each.mkdir()
+        except FileExistsError:
+            # Somebody made it just now, such as another package's maker.
+            continue
         made.append(each)
 
 

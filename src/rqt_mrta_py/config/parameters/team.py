@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Protocol, Sequence, Tuple
 
-from rqt_mrta_py.config.files import read_file
+from rqt_mrta_py.config.files import read_if_there
 from rqt_mrta_py.config.parameters.context import ParameterContext
 from rqt_mrta_py.config.parameters.layers import Layer, split_overrides, xml_layer, yaml_layer
 from rqt_mrta_py.config.parameters.resolving import ResolvedParameters, locate_problems, resolve_parameters
@@ -22,7 +22,6 @@ __all__ = [
     "file_name",
     "no_files",
     "parameter_folder",
-    "read_if_there",
     "resolve_shared",
     "resolve_team",
 ]
@@ -84,11 +83,6 @@ def parameter_folder(team: Team) -> Path:
     """Give the folder of a team's YAML files: ``config``, under another architecture ``config/<architecture>``."""
     folder = team.application_file.parent / "config"
     return folder if team.at_home else folder / team.architecture.package
-
-
-def read_if_there(path: Path) -> Optional[bytes]:
-    """Read a parameter file; None where there is none."""
-    return read_file(path) if path.is_file() else None
 
 
 def no_files(_path: Path) -> Optional[bytes]:
