@@ -8,8 +8,10 @@ import yaml
 
 from rqt_mrta_py.config import Registry, load_mission
 from rqt_mrta_py.config.editing.configuring import Configuration
+from rqt_mrta_py.config.editing.draft import Draft
 from rqt_mrta_py.config.editing.robots import AddRobot, RemoveRobot, RenameRobot
 from rqt_mrta_py.config.editing.values import SetValue
+from rqt_mrta_py.config.files import write_together
 from rqt_mrta_py.errors import ConfigError, UsageError
 
 Configure = Callable[..., Configuration]
@@ -59,6 +61,21 @@ def test_a_plan_is_not_carried_out_over_what_somebody_changed_meanwhile(plan: Co
     message = "was changed by somebody else meanwhile; nothing was changed here, try again"
     assert f"{yard / 'rqt_mrta.xml'}: {message}" in str(caught.value).splitlines()
     assert {path: path.read_text() for path in yard.rglob("*") if path.is_file()} == after_first
+
+
+def test_a_plan_is_not_carried_out_when_somebody_changed_what_it_began_with(plan: Configure, yard: Path) -> None:
+    """What another process wrote while this one was planning counted as what it had begun with."""
+
+    class Meanwhile:
+        def apply(self, draft: Draft) -> None:
+            write_together({yard / "rqt_mrta.xml": (yard / "rqt_mrta.xml").read_text() + "\n"})
+
+    made = plan(SetValue("robot1/rate", "3"), Meanwhile())
+    with pytest.raises(
+        ConfigError, match=r"rqt_mrta\.xml: was changed by somebody else meanwhile; nothing was changed"
+    ):
+        made.carry_out()
+    assert not (yard / "config").exists()
 
 
 def test_a_robot_whose_files_would_have_too_long_a_name_is_refused(plan: Configure, yard: Path) -> None:

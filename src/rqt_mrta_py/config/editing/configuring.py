@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Dict, Iterator, List, NamedTuple, Optional, Protocol, Sequence, Tuple, Union
+from typing import Dict, Iterator, List, Mapping, NamedTuple, Optional, Protocol, Sequence, Tuple, Union
 
 from rqt_mrta_py.config.discovery.registration import RegistrationKind, Registry
 from rqt_mrta_py.config.discovery.source import Source, find_source
@@ -66,12 +66,14 @@ class Configuration(NamedTuple):
         folder: in which its rqt_mrta.xml is.
         files: edited and generated ones, sorted by path, those that stay as they are among them.
         left: files that have the name of a generated one and are somebody's own.
+        sources: what was read when it was planned, and still has to be there when it is carried out.
     """
 
     application: str
     folder: Path
     files: Tuple[FileChange, ...]
     left: Tuple[Path, ...]
+    sources: Mapping[Path, Optional[bytes]]
 
     @property
     def changes(self) -> Tuple[FileChange, ...]:
@@ -85,9 +87,10 @@ class Configuration(NamedTuple):
             ConfigError: one of them cannot be written, or somebody changed it meanwhile; nothing was changed.
         """
         message = "was changed by somebody else meanwhile; nothing was changed here, try again"
-        stale = [each.path for each in self.changes if _content(each.path) != each.before]
+        stale = {path for path, raw in self.sources.items() if read_if_there(path) != raw}
+        stale.update(each.path for each in self.changes if _content(each.path) != each.before)
         if stale:
-            raise ConfigError(Problem(str(path), 0, "", message) for path in stale)
+            raise ConfigError(Problem(str(path), 0, "", message) for path in sorted(stale))
         write_together({each.path: each.after for each in self.changes})
 
 
@@ -147,7 +150,7 @@ def plan_configuration(
     problems = [*_in_the_way(team, own, edits), *_covered(team)]
     if problems:
         raise ConfigError(problems)
-    return _configuration(source, edited, generated, own, patterns)
+    return _configuration(source, edited, generated, own, patterns, sources=draft.sources)
 
 
 def _apply(edits: Sequence[Edit], draft: Draft) -> None:
@@ -186,6 +189,7 @@ def _elsewhere(
         values.append(edit)
     team = load_team(registry, application, architecture).team
     source = find_source(registry, application, RegistrationKind.APPLICATION)
+    sources = {path: read_if_there(path) for path in sorted(parameter_folder(team).glob("*.yaml"))}
     try:
         generated = generated_files(team, checks, edited_reader(team, values))
     except ConfigError as error:
@@ -194,7 +198,7 @@ def _elsewhere(
     problems = list(_in_the_way(team, own, edits))
     if problems:
         raise ConfigError(problems)
-    return _configuration(source, {}, generated, own, (f"config/{team.architecture.package}/*.yaml",))
+    return _configuration(source, {}, generated, own, (f"config/{team.architecture.package}/*.yaml",), sources=sources)
 
 
 def _configuration(
@@ -203,6 +207,8 @@ def _configuration(
     generated: Dict[str, str],
     own: Sequence[Path],
     patterns: Sequence[str],
+    *,
+    sources: Mapping[Path, Optional[bytes]],
 ) -> Configuration:
     folder = source.file.parent
     wanted: Dict[Path, Optional[str]] = {**edited, **{folder / name: text for name, text in generated.items()}}
@@ -211,7 +217,7 @@ def _configuration(
             if path not in wanted and is_generated(_content(path) or ""):
                 wanted[path] = None
     files = tuple(FileChange(path, _content(path), wanted[path]) for path in sorted(wanted) if path not in own)
-    return Configuration(source.package, folder, files, tuple(own))
+    return Configuration(source.package, folder, files, tuple(own), sources)
 
 
 def _own_files(folder: Path, generated: Dict[str, str]) -> Tuple[Path, ...]:

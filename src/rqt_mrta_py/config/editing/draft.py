@@ -31,6 +31,7 @@ class Draft:
         tasks: the tasks.yaml; None if there is none.
         scenario: the scenario.yaml; None if there is none.
         nodes: configs within the rqt_mrta.xml.
+        sources: content of these files, as it was read.
 
     Raises:
         ConfigError: one of the files cannot be read.
@@ -39,10 +40,11 @@ class Draft:
     def __init__(self, source: Source, architecture: ArchitectureSpec) -> None:
         self.source = source
         self.architecture = architecture
-        raw = read_file(source.file)
-        self.xml = XmlDocument(raw, str(source.file))
-        self.tasks = _document(source.tasks)
-        self.scenario = _document(source.scenario)
+        paths = [path for path in (source.file, source.tasks, source.scenario) if path is not None]
+        self.sources: Dict[Path, bytes] = {path: read_file(path) for path in paths}
+        self.xml = XmlDocument(self.sources[source.file], str(source.file))
+        self.tasks = self._document(source.tasks)
+        self.scenario = self._document(source.scenario)
         self.nodes = ParameterNodes(self.xml)
         self._given = self.texts()
 
@@ -78,18 +80,17 @@ class Draft:
         wanted = self.architecture.robot_config_id
         return next((each for each in self.architecture.configs if each.id == wanted), ConfigTemplate("", ()))
 
+    def _document(self, path: Optional[Path]) -> Optional[YamlDocument]:
+        if path is None:
+            return None
+        raw = self.sources[path]
+        try:
+            return YamlDocument(raw.decode("utf-8-sig"), str(path))
+        except UnicodeDecodeError as error:
+            line = raw.count(b"\n", 0, error.start) + 1
+            raise ConfigError([Problem(str(path), line, "", "is not UTF-8 text")]) from error
+
 
 def refused(option: str, element: str, message: str) -> ConfigError:
     """Make the error of an edit that cannot be made."""
     return ConfigError([Problem(option, 0, element, message)])
-
-
-def _document(path: Optional[Path]) -> Optional[YamlDocument]:
-    if path is None:
-        return None
-    raw = read_file(path)
-    try:
-        return YamlDocument(raw.decode("utf-8-sig"), str(path))
-    except UnicodeDecodeError as error:
-        line = raw.count(b"\n", 0, error.start) + 1
-        raise ConfigError([Problem(str(path), line, "", "is not UTF-8 text")]) from error
