@@ -45,6 +45,15 @@ def test_a_folder_in_the_place_of_a_file_is_told(workspace: Workspace, name: str
     assert isinstance(workspace.told(), list)
 
 
+@pytest.mark.parametrize("pattern", ["", ".", "**x", "a**/b", "launch/../../../../../*", "/*", "[", "~/*"])
+def test_patterns_of_files_that_nobody_means_are_passed_over(workspace: Workspace, pattern: str) -> None:
+    """Some ended in an error of pathlib, and one walked through all folders of the machine."""
+    text = (workspace.folder / "auction/CMakeLists.txt").read_text()
+    globs = "".join(f'file({each} found "{pattern}")\n' for each in ("GLOB", "GLOB_RECURSE"))
+    workspace.write("auction/CMakeLists.txt", f"{text}{globs}install(FILES ${{found}} DESTINATION share)\n")
+    assert workspace.told("auction") == []
+
+
 def test_links_that_lead_nowhere_or_around_are_passed_over(workspace: Workspace) -> None:
     (workspace.folder / "yard/launch").mkdir()
     (workspace.folder / "yard/launch/a.launch").symlink_to("nowhere")

@@ -25,6 +25,7 @@ NOT_INSTALLED = (
         f"set(CONFIG rqt_mrta.xml b.xml)\ninstall(FILES ${{CONFIG}} DESTINATION {SHARE})",
         f"set(CONFIG a.xml)\nlist(APPEND CONFIG rqt_mrta.xml)\ninstall(FILES ${{CONFIG}} DESTINATION {SHARE}/)",
         f"file(GLOB xml RELATIVE ${{CMAKE_CURRENT_SOURCE_DIR}} *.xml)\ninstall(FILES ${{xml}} DESTINATION {SHARE})",
+        f"file(GLOB xml rqt**.xml)\ninstall(FILES ${{xml}} DESTINATION {SHARE})",
         f"foreach(each rqt_mrta.xml other.xml)\n  install(FILES ${{each}} DESTINATION {SHARE})\nendforeach()",
         f"install(DIRECTORY ./ DESTINATION {SHARE} PATTERN .git EXCLUDE)",
         f"install(DIRECTORY . DESTINATION {SHARE} FILES_MATCHING PATTERN *.xml PATTERN *.launch)",

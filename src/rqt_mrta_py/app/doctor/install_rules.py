@@ -12,6 +12,7 @@ from rqt_mrta_py.app.doctor.cmake_commands import CMakeArgument, CMakeCommand, c
 __all__ = ["InstallRules", "read_install_rules"]
 
 _VARIABLE = re.compile(r"\$\{([^${}]*)\}")
+_STARS = re.compile(r"\*+")
 _KEYWORDS = (
     *("DESTINATION", "PERMISSIONS", "CONFIGURATIONS", "COMPONENT", "RENAME", "OPTIONAL", "TYPE", "EXCLUDE_FROM_ALL"),
     *("USE_SOURCE_PERMISSIONS", "FILE_PERMISSIONS", "DIRECTORY_PERMISSIONS", "MESSAGE_NEVER"),
@@ -170,9 +171,12 @@ def _globbed(values: Sequence[str], folder: Path) -> List[str]:
         if skip or value in ("RELATIVE", "LIST_DIRECTORIES", "CONFIGURE_DEPENDS"):
             skip = value in ("RELATIVE", "LIST_DIRECTORIES")
             continue
-        pattern = _clean(value)
-        if "${" in pattern or pattern.startswith(("/", "..")):
+        # Two stars are no more than one to CMake, and an error to pathlib.
+        pattern = _STARS.sub("*", _clean(value))
+        if "${" in pattern or pattern.startswith("/") or ".." in PurePosixPath(pattern).parts:
             found.append(value)
+            continue
+        if not pattern:
             continue
         globbed = folder.rglob(pattern) if values[0] == "GLOB_RECURSE" else folder.glob(pattern)
         found.extend(sorted(path.relative_to(folder).as_posix() for path in globbed))
