@@ -13,6 +13,7 @@
 * ``generated``: parameter files and launch files written from an rqt_mrta.xml
 * ``editing``: changes of an application that keep what they do not change
 * ``packages``: new packages, from answers to files
+* ``gaps``: what of an application's file could not be read, from whose absence nothing may be concluded
 * ``problems``: all problems of a file at once, each with where, what is wrong, what is accepted
 * ``files``: read whole; written whole or not at all
 """

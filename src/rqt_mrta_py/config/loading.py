@@ -123,7 +123,7 @@ def scenario_of(
     """Read what is simulated, which has to fit robots and tasks; None where there is no file."""
     if text is None:
         return None
-    robots = [robot.id for robot in file.spec.robots]
+    robots = None if file.gaps.robots else [robot.id for robot in file.spec.robots]
     return read_scenario(text, path, robots, None if tasks is None else [task.id for task in tasks])
 
 

@@ -44,5 +44,10 @@ class Problems:
         """What was noted so far, sorted."""
         return tuple(sorted(set(self._found)))
 
+    @property
+    def elements(self) -> Tuple[str, ...]:
+        """What was spoken of so far, in the order of the file."""
+        return tuple(dict.fromkeys(problem.element for problem in self.found))
+
     def __len__(self) -> int:
         return len(self._found)

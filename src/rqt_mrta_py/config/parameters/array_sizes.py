@@ -61,7 +61,7 @@ class ArraySizer:
         tasks = {**claims, **dict(zip(free, left))}
         size = explicit if explicit is not None else max([seen, *(index + 1 for index in tasks)])
         missing = [task for index, task in tasks.items() if index >= size]
-        if missing and self._context.all_tasks:
+        if missing and self._context.all_tasks and not self._context.partial:
             path = (*place.path, "size")
             given = self._given.get(path) or Given(None, True, self._context.template_source, sizes[0].line)
             message = f"is {size}, which leaves no element for {', '.join(missing)}; give {len(tasks)}"
@@ -91,7 +91,7 @@ class ArraySizer:
         numbers = [int(text) for text in texts if re.match(r"[0-9]{1,9}\Z", text)]
         if texts and texts[0] == SIZE_TOKEN:
             return seen or (min(numbers[0], _MOST_ELEMENTS) if numbers else 0)
-        if not texts:
+        if not texts and not self._context.partial:
             where = Given(None, True, self._context.values_source, self._context.values_line)
             self._note((*place.path, "size"), where, "is mandatory and has no value; give a whole number")
         return min(numbers[0], _MOST_ELEMENTS) if numbers else seen

@@ -26,6 +26,7 @@ class ParameterContext:
         template_source: file of the template.
         values_source: file in which a missing value would be given.
         values_line: where in it; 0 where nothing is given yet.
+        partial: True if more may be given, or there may be more tasks, than could be read.
     """
 
     robot_id: str
@@ -35,6 +36,7 @@ class ParameterContext:
     template_source: str
     values_source: str
     values_line: int = 0
+    partial: bool = False
 
     @property
     def tokens(self) -> Dict[str, str]:

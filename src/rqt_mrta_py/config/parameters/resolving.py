@@ -100,6 +100,7 @@ class _Resolver:
         self._context = context
         self._sizer = ArraySizer(given, context, self._problem)
         self._groups: Set[Path] = set()
+        self._with_arrays: Set[Path] = set()
         self._arrays: List[Tuple[Path, re.Pattern[str], int]] = []
         self.sources: Dict[str, Tuple[str, int]] = {}
         self.templates: Dict[str, ParameterTemplate] = {}
@@ -110,6 +111,7 @@ class _Resolver:
         array = self._sizer.of(items, place)
         if array is not None:
             place = place.beside(array)
+            self._with_arrays.add(place.path)
         values: Dict[str, Any] = {}
         for item in items:
             if isinstance(item, ParameterTemplate):
@@ -128,7 +130,9 @@ class _Resolver:
     def check_unknown(self) -> None:
         """Note everything that was given and that no template asked for."""
         for path, given in self._given.unused():
-            self._problem(path, given, self._why_unknown(path))
+            # How many elements an array has may not be known.
+            if not self._context.partial or not any(path[: len(group)] == group for group in self._with_arrays):
+                self._problem(path, given, self._why_unknown(path))
 
     def _elements(self, item: ArrayTemplate, array: ArraySize, place: Place, values: Dict[str, Any]) -> None:
         name = element_name(item, array.by_task)
@@ -144,7 +148,8 @@ class _Resolver:
             inner = place.element(name, index, array)
             if TASK_TOKEN in name and array.by_task and inner.task is None:
                 where = Given(None, True, self._context.template_source, item.line)
-                self._problem((*place.path, name), where, self._no_task(name))
+                if not self._context.partial:
+                    self._problem((*place.path, name), where, self._no_task(name))
                 continue
             _set(values, inner.path[len(place.path) :], self.items(item.items, inner))
 
@@ -153,6 +158,8 @@ class _Resolver:
         if given is None:
             text = item.value if item.value is not None else item.default
             if text is None and size is None:
+                if self._context.partial:
+                    return None
                 where = Given(None, True, self._context.values_source, self._context.values_line)
                 self._problem(place.path, where, f"{MANDATORY}; give {WANTED[item.type]}")
                 return None
@@ -164,6 +171,8 @@ class _Resolver:
             return size
         try:
             if given.is_text:
+                if self._context.partial and self._lacks_task(given.value, place):
+                    return None
                 return parse_text(self._substitute(given.value, place), item.type)
             return check_value(given.value, item.type)
         except ValueError as error:
@@ -171,9 +180,12 @@ class _Resolver:
             return None
 
     def _substitute(self, text: str, place: Place) -> str:
-        if TASK_TOKEN in text and place.in_task_array and place.task is None:
+        if self._lacks_task(text, place):
             raise ValueError(self._no_task(text))
         return substitute(text, place.tokens)
+
+    def _lacks_task(self, text: str, place: Place) -> bool:
+        return TASK_TOKEN in text and place.in_task_array and place.task is None
 
     def _no_task(self, text: str) -> str:
         have = ", ".join(self._context.tasks) or "none"

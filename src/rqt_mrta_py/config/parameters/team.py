@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Protocol, Sequence, Tuple
 
 from rqt_mrta_py.config.files import read_if_there
+from rqt_mrta_py.config.gaps import Gaps
 from rqt_mrta_py.config.parameters.context import ParameterContext
 from rqt_mrta_py.config.parameters.layers import Layer, split_overrides, xml_layer, yaml_layer
 from rqt_mrta_py.config.parameters.resolving import ResolvedParameters, locate_problems, resolve_parameters
@@ -47,6 +48,7 @@ class Team(NamedTuple):
         architecture: whose templates count.
         architecture_file: its rqt_mrta.xml.
         tasks: of the mission.
+        gaps: what of the application's file could not be read.
     """
 
     application: ApplicationSpec
@@ -54,6 +56,7 @@ class Team(NamedTuple):
     architecture: ArchitectureSpec
     architecture_file: Path
     tasks: Tuple[Task, ...]
+    gaps: Gaps = Gaps()
 
     @property
     def template(self) -> ConfigTemplate:
@@ -112,9 +115,10 @@ def resolve_team(
         Parameters by robot, in the application's order.
 
     Raises:
-        ConfigError: with everything that is wrong for any robot.
+        ConfigError: with everything that is wrong for any robot. Where the team has gaps nothing is said of what may
+            only be missing because of them, and plugins are not asked.
     """
-    problems: List[Problem] = list(_strange_configs(team)) if team.at_home else []
+    problems: List[Problem] = list(_strange_configs(team)) if team.at_home and not team.gaps.robots else []
     robots = team.application.robots
     given, strange = split_overrides(overrides, [robot.id for robot in robots])
     problems.extend(strange)
@@ -124,11 +128,12 @@ def resolve_team(
             shared = file_name(team.template.id)
             names = (shared, config_name(robot.id, shared)) if shared else ()
             layers = [*_file_layers(team, names, read), given.get(robot.id, {})]
-            resolved[robot.id] = resolve_parameters(team.template, layers, _context(team, robot, names))
+            context = _context(team, robot, names)
+            resolved[robot.id] = resolve_parameters(team.template, layers, context)
         except ConfigError as error:
             problems.extend(error.problems)
             continue
-        if checks is not None:
+        if checks is not None and not context.partial:
             problems.extend(_ask(checks, team, robot, resolved[robot.id]))
     if problems:
         raise ConfigError(problems)
@@ -175,7 +180,16 @@ def _context(team: Team, robot: ApplicationRobot, names: Sequence[str]) -> Param
         template_source=str(team.architecture_file),
         values_source=str(team.application_file if team.at_home else team.architecture_file),
         values_line=next((lines[name] for name in reversed(names) if name in lines), 0),
+        partial=_is_partial(team, robot, names),
     )
+
+
+def _is_partial(team: Team, robot: ApplicationRobot, names: Sequence[str]) -> bool:
+    """Tell whether values or tasks of a robot may be missing because of gaps."""
+    gaps = team.gaps
+    few_values = gaps.configs or any(file_name(name) in names for name in gaps.values_of)
+    few_tasks = robot.id in gaps.tasks_of if robot.tasks else gaps.tasks
+    return few_tasks or (few_values and team.at_home)
 
 
 def _file_layers(team: Team, names: Sequence[str], read: FileReader) -> Iterator[Layer]:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from typing import Dict, List, NamedTuple, Optional, Sequence, Union
+from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 from lxml import etree
 
 from rqt_mrta_py.config.parameters.values import parse_text
 from rqt_mrta_py.config.problems import Problems
-from rqt_mrta_py.config.xml.text import joined, line_of, parse_xml
+from rqt_mrta_py.config.xml.text import joined, line_of, lines_of, parse_xml
 from rqt_mrta_py.model import ParameterType
 from rqt_mrta_py.wording import accepted, shown
 
@@ -59,6 +59,11 @@ class Element:
         return line_of(self._node)
 
     @property
+    def lines(self) -> Tuple[int, int]:
+        """The 1-based lines on which it begins, and the last element within it."""
+        return lines_of(self._node)
+
+    @property
     def tag(self) -> str:
         """Its name."""
         return str(self._node.tag)
@@ -67,6 +72,11 @@ class Element:
     def empty(self) -> bool:
         """True if it holds neither elements nor text; equals an absent one."""
         return not self._children and not joined(self._node.text)
+
+    @property
+    def flaws(self) -> Tuple[str, ...]:
+        """Elements of the document of which a problem was noted so far, as problems name them."""
+        return self._problems.elements
 
     def has(self, name: str) -> bool:
         """Tell whether there is a child of a name that is not empty, without counting it as read."""

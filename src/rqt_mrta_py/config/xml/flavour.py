@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Callable, TypeVar, Union
+from typing import Callable, Optional, Tuple, TypeVar, Union
 
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.xml.element import Element, open_document
+from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.wording import shown
 
 __all__ = ["ROOT", "read_flavour"]
@@ -17,41 +18,50 @@ ROOT = "rqt_mrta"
 
 
 def read_flavour(
-    text: Union[str, bytes], path: str, wanted: str, other: str, read: Callable[[Element], _Spec]
-) -> _Spec:
-    """Read a file of one flavour, whole.
+    text: Union[str, bytes], path: str, wanted: str, other: str, read: Callable[[Element], Optional[_Spec]]
+) -> Tuple[_Spec, Tuple[Problem, ...]]:
+    """Read a file of one flavour, as far as it can be read.
 
     Args:
         text: the whole file.
         path: by which problems name the file.
         wanted: ``architecture`` or ``application``.
         other: the other one.
-        read: makes the specification of the root element; what it leaves unread is a problem.
+        read: makes the specification of the root element, which it finishes; None if that cannot be done.
+
+    Returns:
+        The specification, without what is wrong, and everything that is wrong, sorted by line.
 
     Raises:
-        ConfigError: with everything that is wrong, sorted by line.
+        ConfigError: no specification can be made; with everything that is wrong.
     """
     problems = Problems(path)
     root = open_document(text, path, ROOT, problems)
-    _check_flavour(root, wanted, other)
+    is_wanted = _check_flavour(root, wanted, other)
     spec = read(root)
-    root.finish()
-    problems.raise_if_any()
-    return spec
+    if spec is None or not is_wanted:
+        raise ConfigError(problems.found)
+    return spec, problems.found
 
 
-def _check_flavour(root: Element, wanted: str, other: str) -> None:
+def _check_flavour(root: Element, wanted: str, other: str) -> bool:
     """Note a contradiction between a file and the flavour it is read as; ``format=`` may be absent.
 
     Args:
         root: the document's root element.
         wanted: ``architecture`` or ``application``.
         other: the other one.
+
+    Returns:
+        False if something of the other flavour is there, whatever ``format=`` says.
     """
+    is_wanted = True
     declared = root.attribute("format")
     if declared not in (None, wanted):
         root.problem("@format", f"says {shown(declared)}, but the file is read as {wanted!r}; say {wanted!r}")
     for element in root.repeated(other):
         if not element.empty:
             element.problem("", f"belongs to an {other}, but the file is read as an {wanted}")
+            is_wanted = False
         element.skip()
+    return is_wanted

@@ -11,11 +11,12 @@ from rqt_mrta_py.model import IncludeSpec, LaunchArgument, LaunchTemplate
 __all__ = ["read_launches"]
 
 
-def read_launches(root: Element) -> Tuple[LaunchTemplate, ...]:
+def read_launches(root: Element, places: Dict[str, str]) -> Tuple[LaunchTemplate, ...]:
     """Read all launches of a file.
 
     Args:
         root: the document's root element.
+        places: is given the id of each launch that is returned, by its element.
 
     Returns:
         The launches in the order of their numbers.
@@ -36,6 +37,7 @@ def read_launches(root: Element) -> Tuple[LaunchTemplate, ...]:
             element.problem("id", f"{name!r} names two launches")
         elif name:
             launches[name] = LaunchTemplate(name, tuple(found))
+            places[element.path] = name
     holder.finish()
     return tuple(launches.values())
 

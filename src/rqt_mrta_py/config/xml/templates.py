@@ -29,11 +29,12 @@ _TYPES = {
 }
 
 
-def read_configs(root: Element) -> Tuple[ConfigTemplate, ...]:
+def read_configs(root: Element, places: Dict[str, str]) -> Tuple[ConfigTemplate, ...]:
     """Read all configs of a file.
 
     Args:
         root: the document's root element.
+        places: is given the id of each config that is returned, by its element.
 
     Returns:
         The configs in the order of their numbers.
@@ -50,6 +51,7 @@ def read_configs(root: Element) -> Tuple[ConfigTemplate, ...]:
             element.problem("id", f"{name!r} names two configs; the first one is in line {configs[name].line}")
         elif name:
             configs[name] = ConfigTemplate(name, items, element.line)
+            places[element.path] = name
     holder.finish()
     return tuple(configs.values())
 

@@ -7,14 +7,14 @@ walks over the text first and stops at the first declaration of an entity, befor
 from __future__ import annotations
 
 import re
-from typing import Any, Optional, Union
+from typing import Any, Optional, Tuple, Union
 from xml.parsers import expat
 
 from lxml import etree
 
 from rqt_mrta_py.errors import ConfigError, Problem
 
-__all__ = ["decode_xml", "joined", "line_of", "parse_xml"]
+__all__ = ["decode_xml", "joined", "line_of", "lines_of", "parse_xml"]
 
 _WRAP = re.compile(r"\s*[\r\n]\s*")
 _POSITION = re.compile(r",? line \d+, column \d+.*\Z", re.DOTALL)
@@ -90,6 +90,11 @@ def line_of(node: etree._Element) -> int:
     """Give the 1-based line on which an element begins; 0 if unknown."""
     line: Any = node.sourceline
     return int(line or 0)
+
+
+def lines_of(node: etree._Element) -> Tuple[int, int]:
+    """Give the 1-based lines on which an element begins, and the last one within it."""
+    return line_of(node), max(map(line_of, node.iter()))
 
 
 def _parser(encoding: Union[str, None]) -> etree.XMLParser:
