@@ -3,6 +3,7 @@
 * ``examination``: the table of checks, and all of them on all subjects; the place to begin
 * ``finding``: from what the user names to the packages that are meant
 * ``subject``: one package and its files, each read when a check asks for it
+* ``flaws``: what a reader finds within one element, so that no check tells of it again
 * ``files``: what the readers find; ``manifests``, ``dependencies``, ``clashes``: what a package says of others
 * ``installation``: what an installation would lack; ``install_rules``: what is installed, by ``cmake_commands``
 * ``launch_files``, ``launch_templates``: inclusions and arguments; ``launch_text``: roslaunch's XML

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Iterator, List, Tuple
+from typing import Iterator, List, Sequence, Tuple
 
 from lxml import etree
 
 from rqt_mrta_py.app.doctor.dependencies import package_problem
+from rqt_mrta_py.app.doctor.flaws import flaws_of
 from rqt_mrta_py.app.doctor.launch_files import check_inclusion
 from rqt_mrta_py.app.doctor.launch_text import Inclusion, packages_in
 from rqt_mrta_py.app.doctor.subject import Subject
 from rqt_mrta_py.config.generated.launches import launch_files
 from rqt_mrta_py.config.substitution import PACKAGE_TOKEN
-from rqt_mrta_py.config.xml.text import joined, line_of
+from rqt_mrta_py.config.xml.text import joined, line_of, lines_of
 from rqt_mrta_py.errors import ConfigError, Problem
 
 __all__ = ["check_launch_templates"]
@@ -25,19 +26,20 @@ def check_launch_templates(subject: Subject) -> Iterator[Problem]:
     """Find templates that include what is not there, and arguments that would have no value."""
     for architecture in subject.architectures:
         if architecture.spec is not None:
-            yield from _templates(subject, architecture.path)
+            yield from _templates(subject, architecture.path, architecture.problems)
     for application in subject.applications:
         if application.file is not None:
-            yield from _templates(subject, application.path)
-        if application.team is None or not application.team.at_home:
+            yield from _templates(subject, application.path, application.file.problems)
+        team = application.team
+        if team is None or not team.at_home or team.gaps.robots or team.gaps.launches:
             continue
         try:
-            launch_files(application.team)
+            launch_files(team)
         except ConfigError as error:
             yield from error.problems
 
 
-def _templates(subject: Subject, path: Path) -> Iterator[Problem]:
+def _templates(subject: Subject, path: Path, problems: Sequence[Problem]) -> Iterator[Problem]:
     told: List[str] = []
     for include in subject.root(path).iterfind("launches/*/includes/*"):
         file = include.find("file")
@@ -46,7 +48,8 @@ def _templates(subject: Subject, path: Path) -> Iterator[Problem]:
             continue
         arguments = dict(_arguments(include))
         inclusion = Inclusion(text, arguments, False, line_of(file if file is not None else include))
-        yield from check_inclusion(subject, inclusion, path, _ELEMENT, {PACKAGE_TOKEN: subject.name})
+        if not flaws_of(lines_of(include), problems):
+            yield from check_inclusion(subject, inclusion, path, _ELEMENT, {PACKAGE_TOKEN: subject.name})
         for node in include.iter():
             for package in packages_in(node.text or ""):
                 if "@" not in package and package not in told:

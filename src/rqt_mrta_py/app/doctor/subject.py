@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cached_property
 from pathlib import Path
-from typing import Dict, List, NamedTuple, Optional, Tuple
+from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 from lxml import etree
 
@@ -13,10 +13,11 @@ from rqt_mrta_py.config import Registration, RegistrationKind, Team
 from rqt_mrta_py.config.discovery.manifest import drop_namespace
 from rqt_mrta_py.config.discovery.source import Source, find_source
 from rqt_mrta_py.config.files import read_file
+from rqt_mrta_py.config.gaps import Gaps
 from rqt_mrta_py.config.loading import attempt, listed_tasks, scenario_of, unlisted_tasks, yaml_text
 from rqt_mrta_py.config.scenario.scenario_file import read_scenario
-from rqt_mrta_py.config.xml.application import ApplicationFile, read_application_file
-from rqt_mrta_py.config.xml.architecture import read_architecture
+from rqt_mrta_py.config.xml.application import ApplicationFile, read_application_partly
+from rqt_mrta_py.config.xml.architecture import read_architecture_partly
 from rqt_mrta_py.config.xml.text import line_of, parse_xml
 from rqt_mrta_py.errors import ConfigError, DiscoveryError, Problem
 from rqt_mrta_py.model import ArchitectureSpec, ScenarioSpec, Task
@@ -30,12 +31,14 @@ class ArchitectureFile(NamedTuple):
     Attributes:
         registration: by which it is.
         path: of its rqt_mrta.xml.
-        spec: what the file says; None if it cannot be read.
+        spec: what the file says, without what is wrong; None if it cannot be read.
+        problems: what its reader finds wrong.
     """
 
     registration: Registration
     path: Path
     spec: Optional[ArchitectureSpec]
+    problems: Tuple[Problem, ...] = ()
 
 
 class ApplicationFiles(NamedTuple):
@@ -44,7 +47,7 @@ class ApplicationFiles(NamedTuple):
     Attributes:
         registration: by which it is.
         path: of its rqt_mrta.xml.
-        file: what it says.
+        file: what it says, and what of that is not certain.
         architecture: the architecture that it names.
         tasks: of its tasks.yaml, or those that its robots name where it has none.
         scenario: of its scenario.yaml; None too where it has none.
@@ -137,7 +140,7 @@ class Subject:
     def architectures(self) -> Tuple[ArchitectureFile, ...]:
         """The architectures that the package registers and whose files are there."""
         return tuple(
-            ArchitectureFile(entry, entry.file, self._architecture(Source(entry.package, entry.file)))
+            ArchitectureFile(entry, entry.file, *self._architecture(Source(entry.package, entry.file)))
             for entry in self.registrations
             if entry.kind is RegistrationKind.ARCHITECTURE and entry.file is not None and not entry.problems
         )
@@ -151,25 +154,34 @@ class Subject:
             if entry.kind is RegistrationKind.APPLICATION and entry.file is not None and entry.file.is_file()
         )
 
-    def _architecture(self, source: Source) -> Optional[ArchitectureSpec]:
-        return attempt(
-            self._problems, lambda: read_architecture(read_file(source.file), str(source.file), source.package)
-        )
+    def _architecture(self, source: Source) -> Tuple[Optional[ArchitectureSpec], Tuple[Problem, ...]]:
+        path = source.file
+        try:
+            spec, problems = read_architecture_partly(read_file(path), str(path), source.package)
+        except ConfigError as error:
+            self._problems.extend(error.problems)
+            return None, tuple(error.problems)
+        self._problems.extend(problems)
+        return spec, problems
 
     def _application(self, entry: Registration, path: Path) -> ApplicationFiles:
         note = self._problems
-        file = attempt(note, lambda: read_application_file(read_file(path), str(path), entry.package))
+        file = attempt(note, lambda: read_application_partly(read_file(path), str(path), entry.package))
         if file is None:
             return ApplicationFiles(entry, path, None, None, None, None, None)
-        source = attempt(note, lambda: self._source(file, path))
-        architecture = self._architecture(source) if source is not None else None
-        tasks = attempt(note, lambda: listed_tasks(file, _text(entry.tasks), str(entry.tasks or "")))
-        unlisted = unlisted_tasks(file, str(path), tasks, str(entry.tasks or "")) if tasks is not None else []
-        note.extend(unlisted)
-        scenario = self._scenario(entry, file, tasks)
+        note.extend(file.problems)
+        source = None if file.gaps.architecture else attempt(note, lambda: self._source(file, path))
+        architecture, wrong = self._architecture(source) if source is not None else (None, ())
+        text = attempt(note, lambda: (_text(entry.tasks),))
+        tasks = attempt(note, lambda: listed_tasks(file, text[0], str(entry.tasks or ""))) if text is not None else None
         team = None
-        if architecture is not None and source is not None and tasks is not None and not unlisted:
-            team = Team(file.spec, path, architecture, source.file, tasks)
+        if tasks is not None:
+            note.extend(unlisted_tasks(file, str(path), tasks, str(entry.tasks or "")))
+        if architecture is not None and source is not None and tasks is not None and not wrong:
+            team = Team(file.spec, path, architecture, source.file, tasks, _gaps(file, tasks))
+        if text == (None,) and file.gaps.tasks:
+            tasks = None  # There may be others, which only robots name.
+        scenario = self._scenario(entry, file, tasks)
         return ApplicationFiles(entry, path, file, architecture, tasks, scenario, team)
 
     def _scenario(
@@ -193,6 +205,13 @@ class Subject:
             return find_source(self.host.registry, file.spec.architecture, RegistrationKind.ARCHITECTURE)
         except DiscoveryError as error:
             raise ConfigError([Problem(str(path), self.line(path, element), element, str(error))]) from error
+
+
+def _gaps(file: ApplicationFile, tasks: Sequence[Task]) -> Gaps:
+    """Tell what is not certain of an application; a task that nobody lists may be meant to be another."""
+    listed = {task.id for task in tasks}
+    astray = [robot.id for robot in file.spec.robots if not listed.issuperset(robot.tasks)]
+    return file.gaps._replace(tasks_of=tuple(dict.fromkeys([*file.gaps.tasks_of, *astray])))
 
 
 def _text(path: Optional[Path]) -> Optional[str]:

@@ -54,7 +54,7 @@ def _of_capabilities(
 ) -> Iterator[_Amiss]:
     """Find what a task asks for and too few of its robots can do; of real robots nothing is known."""
     robots = [robot.id for robot in robots_for(application, task) if robot.id in capabilities]
-    if not robots:
+    if not robots or (application.file is not None and application.file.gaps.tasks):
         return
     missing = False
     for name in task.capabilities:

@@ -45,14 +45,17 @@ def check_tasks_of_robots(subject: Subject) -> Iterator[Problem]:
     for application in subject.applications:
         if application.file is None:
             continue
+        gaps = application.file.gaps
         if not application.file.spec.robots:
+            if gaps.robots:
+                continue
             line = subject.line(application.path, "application/robots")
             yield Problem(str(application.path), line, "application/robots", "names no robot; give at least one")
         elif application.tasks is not None:
             yield from _idle_robots(subject, application, application.file)
             listed = {task.id for task in application.tasks}
             # A robot that names an unlisted task may mean the one that nobody names.
-            if all(listed.issuperset(robot.tasks) for robot in application.file.spec.robots):
+            if not gaps.tasks and all(listed.issuperset(robot.tasks) for robot in application.file.spec.robots):
                 yield from _orphaned_tasks(application, application.tasks)
 
 
@@ -70,13 +73,15 @@ def robots_for(application: ApplicationFiles, task: Task) -> Tuple[ApplicationRo
 def _idle_robots(subject: Subject, application: ApplicationFiles, file: ApplicationFile) -> Iterator[Problem]:
     """Find robots that name no task, where others do or where there are none to be had."""
     without = [robot for robot in file.spec.robots if not robot.tasks]
-    if len(without) < len(file.spec.robots):
+    if any(robot.tasks for robot in file.spec.robots):
         message = "names no task, as other robots do, and may therefore carry out all of them; name its tasks"
-    elif not application.tasks:
+    elif not application.tasks and not file.gaps.tasks:
         message = "has no task: neither it nor any other robot names one, and there is no tasks.yaml; name its tasks"
     else:
         return
     for robot in without:
+        if robot.id in file.gaps.tasks_of:
+            continue
         element = f"{robot.id}/tasks"
         yield Problem(str(application.path), _line_of_robot(subject, application, robot), element, message)
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence
+from typing import Dict, FrozenSet, Iterator, List, Mapping, NamedTuple, Optional, Sequence
 
 from rqt_mrta_py.app.doctor.dependencies import package_problem
+from rqt_mrta_py.app.doctor.flaws import flaws_of
 from rqt_mrta_py.app.doctor.subject import Subject
+from rqt_mrta_py.config.gaps import touches
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.xml.element import Element, Text
 from rqt_mrta_py.errors import Problem, TransportError
@@ -27,6 +29,8 @@ _OF_TASKS = (
 _PARTS = ("robots", "tasks", "allocations")
 _FIELDS = ("field", "robot_field", "task_field")
 _TASK_FIELDS = ("field", "task_field")
+_NUMBERS = ("timeout", "queue_size", "horizon")
+_NOT_OF_TIMEOUTS = ("type", "queue_size", "horizon", *_FIELDS)
 
 
 class _Topic(NamedTuple):
@@ -35,22 +39,24 @@ class _Topic(NamedTuple):
     Attributes:
         kind: the element that holds it, such as ``busy_robots``.
         element: its own, read as far as it is asked about here.
-        texts: of its children.
+        texts: of its children, without those that the reader does not accept.
+        flaws: names of children with which something is wrong; empty for the topic itself.
     """
 
     kind: str
     element: Element
     texts: Mapping[str, Text]
+    flaws: FrozenSet[str]
 
     @property
     def name(self) -> str:
-        """Of the topic."""
-        return self.texts["name"].value
+        """Of the topic; empty where it is not known."""
+        return self.texts["name"].value if "name" in self.texts else ""
 
     @property
     def type(self) -> str:
-        """Of its messages."""
-        return self.texts["type"].value
+        """Of its messages; empty where it is not known."""
+        return self.texts["type"].value if "type" in self.texts else ""
 
     @property
     def timeout(self) -> float:
@@ -68,14 +74,16 @@ def check_topics(subject: Subject) -> Iterator[Problem]:
         if architecture.spec is None:
             continue
         problems = Problems(str(architecture.path))
-        topics = _read(Element(subject.root(architecture.path), "", problems))
+        topics = _read(Element(subject.root(architecture.path), "", problems), architecture.problems)
         codec = subject.host.codec()
         for topic in topics:
-            _check_what_it_tells(topic)
-            if not _is_told_of_package(subject, architecture.path, topic):
+            if topic.name and topic.flaws.issubset(("name", "type", *_NUMBERS)):
+                _check_what_it_tells(topic)
+            if topic.type and not _is_told_of_package(subject, architecture.path, topic):
                 _check_type(topic, codec)
-        _check_one_type_each(topics)
-        _check_flicker(topics)
+        _check_one_type_each([topic for topic in topics if topic.name and topic.type])
+        if not any(_is_about_timeouts_of_busy(problem.element) for problem in architecture.problems):
+            _check_flicker([topic for topic in topics if topic.flaws.issubset(_NOT_OF_TIMEOUTS)])
         yield from problems.found
 
 
@@ -102,7 +110,7 @@ def field_fault(definition: Definition, path: str) -> Optional[str]:
     return None
 
 
-def _read(root: Element) -> List[_Topic]:
+def _read(root: Element, wrong: Sequence[Problem]) -> List[_Topic]:
     architecture = root.child("architecture")
     parts = {name: architecture.child(name) for name in _PARTS} if architecture is not None else {}
     topics: List[_Topic] = []
@@ -115,7 +123,12 @@ def _read(root: Element) -> List[_Topic]:
             # One that was never filled in counts for nothing.
             if element.has("name"):
                 found = {child: element.text(child) for child in ("name", "type", "timeout", *_FIELDS)}
-                topics.append(_Topic(kind, element, {name: text for name, text in found.items() if text is not None}))
+                told = [
+                    each.element for each in flaws_of(element.lines, wrong) if touches([each.element], element.path)
+                ]
+                flaws = frozenset(each[len(element.path) + 1 :] for each in told)
+                texts = {name: text for name, text in found.items() if text is not None and name not in flaws}
+                topics.append(_Topic(kind, element, texts, flaws))
     return topics
 
 
@@ -157,6 +170,11 @@ def _check_one_type_each(topics: Sequence[_Topic]) -> None:
         if other.type != topic.type:
             line = other.texts["type"].line
             topic.problem("type", f"is {topic.type}, but {topic.name} carries {other.type} by line {line}; give one")
+
+
+def _is_about_timeouts_of_busy(element: str) -> bool:
+    """Tell whether timeouts of busy_robots may be others than those that were read."""
+    return element.startswith("architecture/robots/busy_robots") and element.rpartition("/")[2] not in _NOT_OF_TIMEOUTS
 
 
 def _check_flicker(topics: Sequence[_Topic]) -> None:

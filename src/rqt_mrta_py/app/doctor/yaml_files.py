@@ -29,10 +29,12 @@ def check_yaml_files(subject: Subject) -> Iterator[Problem]:
         team = application.team
         if team is None:
             continue
-        if team.at_home:
+        if team.at_home and not team.gaps.tasks and not team.gaps.values:
             yield from _differences(team)
-            yield from _outdated(team)
-        yield from _strangers(subject, application, team)
+            if not team.gaps.launches:
+                yield from _outdated(team)
+        if not team.gaps.robots:
+            yield from _strangers(subject, application, team)
 
 
 def _differences(team: Team) -> Iterator[Problem]:
