@@ -321,6 +321,13 @@ def _writing_xml() -> List[Case]:
         Case("an_entity", "declared entities", _edited("<package", entity), NONE, P),
         Case("no_name", "a manifest without a name", _edited("<name>p</name>", ""), NONE, P),
         Case(
+            "a_name_with_slashes",
+            "a name of other characters than letters, digits, `_` and `-`",
+            _edited("<name>p</name>", "<name>../../p</name>"),
+            NONE,
+            ("architecture ../../p ws/p/rqt_mrta.xml",),
+        ),
+        Case(
             "another_root",
             "a root element other than `package`",
             _edited("package", "stack"),
