@@ -6,7 +6,7 @@ from typing import Callable, Dict
 import pytest
 import yaml
 
-from rqt_mrta_py.config import Registry, load_mission
+from rqt_mrta_py.config import RegistrationKind, Registry, load_mission
 from rqt_mrta_py.config.editing.configuring import Configuration
 from rqt_mrta_py.config.editing.draft import Draft
 from rqt_mrta_py.config.editing.robots import AddRobot, RemoveRobot, RenameRobot
@@ -76,6 +76,15 @@ def test_a_plan_is_not_carried_out_when_somebody_changed_what_it_began_with(plan
     ):
         made.carry_out()
     assert not (yard / "config").exists()
+
+
+def test_a_folder_with_the_name_of_a_file_under_another_architecture_is_passed_over(
+    configure: Configure, yard: Path, registry: Registry
+) -> None:
+    """It ended an edit with an internal error."""
+    for other in {each.package for each in registry.of_kind(RegistrationKind.ARCHITECTURE)}:
+        (yard / "config" / other / "notes.yaml").mkdir(parents=True)
+    assert actions(configure(SetValue("robot1/rate", "3")))["rqt_mrta.xml"] == "changed"
 
 
 def test_a_robot_whose_files_would_have_too_long_a_name_is_refused(plan: Configure, yard: Path) -> None:

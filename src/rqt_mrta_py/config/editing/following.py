@@ -8,7 +8,7 @@ from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple
 from rqt_mrta_py.config.editing.robots import RemoveRobot, RenameRobot, own_id_parameters
 from rqt_mrta_py.config.editing.task_arrays import TaskArray, task_arrays
 from rqt_mrta_py.config.editing.tasks import AddTask, RemoveTask, RenameTask
-from rqt_mrta_py.config.files import read_if_there
+from rqt_mrta_py.config.files import read_file, read_if_there
 from rqt_mrta_py.config.generated.marks import is_generated
 from rqt_mrta_py.config.parameters.context import Path as ParameterPath
 from rqt_mrta_py.config.parameters.parameter_file import dump_parameters, parse_parameters
@@ -44,7 +44,7 @@ def following_reader(before: Team, after: Team, edits: Sequence[object]) -> File
         if not path.is_file() or not is_generated(_text(path)):
             continue
         texts[path] = None
-        values = parse_parameters(path.read_bytes(), str(path))
+        values = parse_parameters(read_file(path), str(path))
         new_name = _follow(values, name, template, robot, edits)
         if new_name is None:
             continue
@@ -135,4 +135,4 @@ def _group(values: Values, path: ParameterPath) -> Values:
 
 
 def _text(path: Path) -> str:
-    return path.read_bytes().decode("utf-8", "replace")
+    return (read_if_there(path) or b"").decode("utf-8", "replace")
