@@ -12,13 +12,19 @@ from rqt_mrta_py.errors import ConfigError, Problem
 __all__ = ["read_file", "read_if_there", "write_together", "write_whole"]
 
 
-def read_file(path: Path) -> bytes:
+def read_file(path: Path, *, any_kind: bool = False) -> bytes:
     """Read a file whole.
+
+    Args:
+        path: of the file.
+        any_kind: read what is no regular file too, such as a pipe that the user names; one in a package could hang us.
 
     Raises:
         ConfigError: it cannot be read; says why.
     """
     try:
+        if not any_kind and path.exists() and not (path.is_file() or path.is_dir()):
+            raise ConfigError([Problem(str(path), 0, "", "is a pipe or device; a regular file is accepted")])
         return path.read_bytes()
     except OSError as error:
         raise _unreadable(path, error) from error

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import List
 
@@ -87,3 +88,12 @@ def test_a_plugin_whose_check_raises_is_told_by_its_name(workspace: Workspace, t
     told = workspace.told("yard", "auction")
     assert [line for line in told if "raising_auction" in line and "ZeroDivisionError: of all things" in line]
     assert [line for line in told if line.startswith("yard/package.xml:16")]
+
+
+@pytest.mark.parametrize("name", ["config/robot9_auction_params.yaml", "launch/one.launch"])
+def test_a_pipe_is_no_file_and_nobody_waits_for_its_writer(workspace: Workspace, name: str) -> None:
+    path = workspace.folder / "yard" / name
+    path.parent.mkdir(exist_ok=True)
+    path.unlink(missing_ok=True)
+    os.mkfifo(path)
+    assert any("is a pipe or device; a regular file is accepted" in line for line in workspace.told())

@@ -146,7 +146,7 @@ def read_answers(path: Path, kind: RegistrationKind) -> Answers:
         ConfigError: it cannot be read, or is not YAML.
     """
     problems = Problems(str(path))
-    row = read_document(parse_yaml(read_file(path), str(path)), OPTIONAL[kind], problems)
+    row = read_document(parse_yaml(read_file(path, any_kind=True), str(path)), OPTIONAL[kind], problems)
     refused: Dict[str, List[Problem]] = {}
     for problem in problems.found:
         key = re.split(r"[/\[]", problem.element)[0]
