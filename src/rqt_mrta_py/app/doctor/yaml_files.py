@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Dict, Iterator, List, Mapping, Sequence, Tuple
+from typing import Any, Dict, Iterator, List, Sequence, Tuple
 
 from rqt_mrta_py.app.catalogue.entries import architecture_of
 from rqt_mrta_py.app.doctor.subject import ApplicationFiles, Subject
@@ -12,6 +12,7 @@ from rqt_mrta_py.config.discovery.registration import Registration, Registration
 from rqt_mrta_py.config.files import read_file, read_if_there
 from rqt_mrta_py.config.generated.files import generated_files
 from rqt_mrta_py.config.generated.marks import is_generated
+from rqt_mrta_py.config.parameters.lookup import leaves
 from rqt_mrta_py.config.parameters.resolving import ResolvedParameters
 from rqt_mrta_py.config.parameters.team import FileReader, file_name, no_files
 from rqt_mrta_py.errors import ConfigError, Problem
@@ -43,8 +44,8 @@ def _differences(team: Team) -> Iterator[Problem]:
         plain = written.get(name)
         if plain is None:
             continue
-        values = dict(_leaves(plain.values, ()))
-        for path, value in _leaves(resolved.values, ()):
+        values = dict(leaves(plain.values))
+        for path, value in leaves(resolved.values):
             element = "/".join(path)
             source, line = resolved.sources.get(element, ("", 0))
             if not source.endswith((".yaml", ".yml")) or (path in values and _is_same(values[path], value)):
@@ -83,14 +84,6 @@ def _resolved(team: Team, read: FileReader) -> Dict[str, ResolvedParameters]:
     except ConfigError:
         shared = {}
     return {**robots, **shared}
-
-
-def _leaves(values: Mapping[str, Any], path: Tuple[str, ...]) -> Iterator[Tuple[Tuple[str, ...], Any]]:
-    for name, value in values.items():
-        if isinstance(value, Mapping):
-            yield from _leaves(value, (*path, name))
-        else:
-            yield (*path, name), value
 
 
 def _outdated(team: Team) -> Iterator[Problem]:

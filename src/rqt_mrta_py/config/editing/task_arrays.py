@@ -8,7 +8,9 @@ from typing import Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple
 from lxml import etree
 
 from rqt_mrta_py.config.editing.parameter_nodes import ParameterNodes, PlacedNode, text_of
+from rqt_mrta_py.config.parameters.array_sizes import element_name
 from rqt_mrta_py.config.parameters.context import Path
+from rqt_mrta_py.config.substitution import INDEX_TOKEN
 from rqt_mrta_py.model import (
     TASK_TOKEN,
     ArrayTemplate,
@@ -42,11 +44,11 @@ class TaskArray(NamedTuple):
 
     def element(self, index: int) -> str:
         """Name an element."""
-        return self.name.replace("@index@", str(index))
+        return self.name.replace(INDEX_TOKEN, str(index))
 
     def index_of(self, name: str) -> int:
         """Give the index of an element by its name; -1 for another name."""
-        pattern = re.escape(self.name).replace(re.escape("@index@"), "([0-9]{1,4})")
+        pattern = re.escape(self.name).replace(re.escape(INDEX_TOKEN), "([0-9]{1,4})")
         match = re.match(f"{pattern}\\Z", name)
         return int(match.group(1)) if match is not None else -1
 
@@ -175,9 +177,8 @@ def _arrays(items: Sequence[TemplateItem], path: Path) -> Iterator[TaskArray]:
         if isinstance(item, MapTemplate):
             yield from _arrays(item.items, here)
         elif isinstance(item, ArrayTemplate):
-            name = item.name if "@index@" in item.name else f"{item.name}@index@"
             for key, fills in _keys(item)[:1]:
-                yield TaskArray(path, name, tuple(key.name.split("/")), fills)
+                yield TaskArray(path, element_name(item, by_task=False), tuple(key.name.split("/")), fills)
 
 
 def _keys(array: ArrayTemplate) -> List[Tuple[ParameterTemplate, bool]]:

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Dict, Optional, Sequence, Tuple
+from typing import Dict, Optional, Tuple
 
 from rqt_mrta_py.config.editing.draft import Draft, refused
 from rqt_mrta_py.config.parameters.context import Path
+from rqt_mrta_py.config.parameters.lookup import template_at
 from rqt_mrta_py.config.parameters.team import config_name, file_name
 from rqt_mrta_py.config.parameters.values import parse_text
 from rqt_mrta_py.config.substitution import has_token
 from rqt_mrta_py.model import (
     ApplicationSpec,
     ArchitectureSpec,
-    ArrayTemplate,
     ConfigTemplate,
-    ParameterTemplate,
     ParameterType,
-    TemplateItem,
     normalise_id,
 )
 from rqt_mrta_py.wording import accepted, shown
@@ -119,31 +117,5 @@ def find_target(option: str, text: str, application: ApplicationSpec, architectu
 
 def type_of(template: ConfigTemplate, path: Path) -> ParameterType:
     """Give the type that a template has for a parameter; a text where it knows none of this path."""
-    return _type(template.items, path) or ParameterType.STRING
-
-
-def _type(items: Sequence[TemplateItem], path: Path) -> Optional[ParameterType]:
-    for item in items:
-        name = item.name
-        if isinstance(item, ArrayTemplate) and "@index@" not in name:
-            name = f"{name}@index@"
-        parts = tuple(name.split("/"))
-        if len(parts) > len(path) or not all(_fits(one, other) for one, other in zip(parts, path)):
-            continue
-        rest = path[len(parts) :]
-        if isinstance(item, ParameterTemplate):
-            if not rest:
-                return item.type
-            continue
-        found = _type(item.items, rest)
-        if found is not None:
-            return found
-    return None
-
-
-def _fits(pattern: str, name: str) -> bool:
-    before, token, after = pattern.partition("@index@")
-    if not token:
-        return pattern == name
-    index = name[len(before) : len(name) - len(after)]
-    return name.startswith(before) and name.endswith(after) and (index.isdigit() or index == token)
+    found = template_at(template.items, path)
+    return ParameterType.STRING if found is None else found.type

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple
+from typing import Dict, Iterator, List, Optional, Tuple
 
 from rqt_mrta_py.config.files import read_if_there
 from rqt_mrta_py.config.generated.launches import launch_files
 from rqt_mrta_py.config.generated.marks import MARK, MARK_AWAY
 from rqt_mrta_py.config.generated.parameter_text import parameter_text
+from rqt_mrta_py.config.parameters.lookup import leaves
 from rqt_mrta_py.config.parameters.resolving import ResolvedParameters
 from rqt_mrta_py.config.parameters.team import (
     FileReader,
@@ -82,18 +83,10 @@ def _parameters(
 
 
 def _too_large(resolved: ResolvedParameters) -> Iterator[Problem]:
-    for path, value in _leaves(resolved.values, ()):
+    for path, value in leaves(resolved.values):
         if isinstance(value, int) and not _SMALLEST <= value <= _LARGEST:
             name = "/".join(path)
             source, line = resolved.sources.get(name, ("", 0))
             element = f"{resolved.robot_id}/{name}" if resolved.robot_id else name
             message = f"must be from {_SMALLEST} to {_LARGEST}, which the parameter server can hold (got {value})"
             yield Problem(source, line, element, message)
-
-
-def _leaves(values: Mapping[str, Any], path: Tuple[str, ...]) -> Iterator[Tuple[Tuple[str, ...], Any]]:
-    for name, value in values.items():
-        if isinstance(value, Mapping):
-            yield from _leaves(value, (*path, name))
-        else:
-            yield (*path, name), value

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple
+from typing import Any, List, Mapping, Optional, Tuple
 
 from rqt_mrta_py.config.packages.answers_form import DEFAULT_KIND
 from rqt_mrta_py.config.packages.origin import Origin
+from rqt_mrta_py.config.parameters.lookup import leaves
 from rqt_mrta_py.config.tasks.task_text import task_of
 from rqt_mrta_py.config.yaml.rows import Row
 from rqt_mrta_py.errors import ConfigError, Problem
@@ -114,7 +115,8 @@ def value_entries(values: Mapping[str, Any], place: Origin) -> Tuple[ValueEntry,
     """
     entries: List[ValueEntry] = []
     problems: List[Problem] = []
-    for path, value in _leaves(values, ""):
+    for names, value in leaves(values):
+        path = "/".join(names)
         here = Origin(place.path, place.line, f"{place.element}/{path}")
         if isinstance(value, bool):
             entries.append(ValueEntry(path, "true" if value else "false", here))
@@ -140,12 +142,3 @@ def numbered_tasks(count: int, place: Origin) -> Tuple[TaskEntry, ...]:
 def simple_task(name: str, kind: str, place: Origin) -> TaskEntry:
     """Make a task of which only id and kind are told."""
     return TaskEntry(Task(normalise_id(name), kind), False, place)
-
-
-def _leaves(values: Mapping[str, Any], path: str) -> Iterator[Tuple[str, Any]]:
-    for name, value in values.items():
-        inner = f"{path}/{name}" if path else name
-        if isinstance(value, Dict):
-            yield from _leaves(value, inner)
-        else:
-            yield inner, value

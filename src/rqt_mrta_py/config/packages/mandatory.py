@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from typing import Iterable, NamedTuple, Optional, Sequence, Tuple
 
+from rqt_mrta_py.config.parameters.lookup import template_at
 from rqt_mrta_py.config.parameters.resolving import MANDATORY
 from rqt_mrta_py.errors import Problem
-from rqt_mrta_py.model import ArchitectureSpec, ArrayTemplate, ParameterTemplate, TemplateItem
+from rqt_mrta_py.model import ArchitectureSpec, ParameterTemplate
 
 __all__ = ["MissingValue", "missing_values"]
-
-_INDEX = "@index@"
 
 
 class MissingValue(NamedTuple):
@@ -52,31 +51,7 @@ def _find(element: str, robots: Sequence[str], architecture: ArchitectureSpec) -
         owners = robots if config.id == architecture.robot_config_id else (config.id,)
         named = [(f"{owner}/", element[len(owner) + 1 :]) for owner in owners if element.startswith(f"{owner}/")]
         for prefix, rest in named:
-            template = _template(config.items, rest.split("/"))
+            template = template_at(config.items, tuple(rest.split("/")))
             if template is not None:
                 return MissingValue(prefix + rest, template)
     return None
-
-
-def _template(items: Sequence[TemplateItem], path: Sequence[str]) -> Optional[ParameterTemplate]:
-    for item in items:
-        name = f"{item.name}{_INDEX}" if isinstance(item, ArrayTemplate) and _INDEX not in item.name else item.name
-        parts = name.split("/")
-        if len(parts) > len(path) or not all(_fits(one, other) for one, other in zip(parts, path)):
-            continue
-        rest = path[len(parts) :]
-        if isinstance(item, ParameterTemplate):
-            if not rest:
-                return item
-        else:
-            found = _template(item.items, rest)
-            if found is not None:
-                return found
-    return None
-
-
-def _fits(pattern: str, name: str) -> bool:
-    before, token, after = pattern.partition(_INDEX)
-    if not token:
-        return pattern == name
-    return name.startswith(before) and name.endswith(after) and name[len(before) : len(name) - len(after)].isdigit()
