@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import Connection, Stamped
-from rqt_mrta_py.transport import BagWriter, Compression
+from rqt_mrta_py.transport import BagWriter, Batch, Compression
 
 __all__ = ["BagWritingRow", "main", "measure_bag_writing"]
 
@@ -123,8 +123,9 @@ def _write_ours(stream: Sequence[Stamped], compression: Compression, path: Path)
 
 def _write_together(stream: Sequence[Stamped], compression: Compression, path: Path) -> None:
     with BagWriter(path, compression) as writer:
-        for _, tick in groupby(stream, attrgetter("receipt_ns")):
-            writer.write_many(list(tick))
+        for receipt_ns, tick in groupby(stream, attrgetter("receipt_ns")):
+            connections, _, raws = zip(*tick)
+            writer.write_batch(Batch.of(connections, receipt_ns, raws))
 
 
 def _write_stock(stream: Sequence[Stamped], compression: Compression, path: Path) -> None:

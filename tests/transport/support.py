@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import subprocess
+from itertools import groupby
 from pathlib import Path
-from typing import Callable, List, Optional, Sequence, Tuple
+from typing import Callable, Iterable, List, Optional, Sequence, Tuple
 
 import pytest
 
-from rqt_mrta_py.hooks import Connection
+from rqt_mrta_py.hooks import Connection, Stamped
+from rqt_mrta_py.transport import BagWriter, Batch
 
 ROOT = Path(__file__).resolve().parents[2]
 ROS_PYTHON = "/usr/bin/python3"
@@ -69,3 +71,18 @@ class ListLink:
     def deliveries(self, sender: str, receiver: str, now: float) -> Sequence[float]:
         self.asked.append((sender, receiver, now))
         return self.answer(sender, receiver)
+
+
+def batches(stream: Iterable[Stamped]) -> List[Batch]:
+    """Put neighbours that were received at one moment together."""
+    together = []
+    for receipt_ns, run in groupby(stream, lambda stamped: stamped.receipt_ns):
+        connections, _, raws = zip(*run)
+        together.append(Batch.of(connections, receipt_ns, raws))
+    return together
+
+
+def write_together(writer: BagWriter, stream: Iterable[Stamped]) -> None:
+    """Write what was received at one moment in one go."""
+    for batch in batches(stream):
+        writer.write_batch(batch)

@@ -20,10 +20,11 @@ from rqt_mrta_py.hooks import Connection, Stamped
 from rqt_mrta_py.transport import BagWriter, Compression, RosCodec, read_bag, read_bag_info
 from rqt_mrta_py.transport.bags import writer as bag_writer
 from rqt_mrta_py.transport.bags.chunk_walk import ChunkWalk
-from tests.transport.support import ROOT, ROS_PYTHON, lookup, require_ros, run_ros
+from tests.transport.support import ROOT, ROS_PYTHON, lookup, require_ros, run_ros, write_together
 
 COMPRESSIONS = list(Compression)
 SECOND = 10**9
+STEPS_NS = [*[0] * 20, 1, 10_000_000, 400_000_000, -400_000_000]
 
 
 def mission(count: int = 600) -> List[Stamped]:
@@ -104,7 +105,9 @@ def pieces(stream: Sequence[Stamped], cuts: Sequence[int]) -> List[Sequence[Stam
 @given(
     messages=st.lists(
         st.tuples(
-            st.integers(0, 3), st.sampled_from([0, 1, 10_000_000, 400_000_000, -400_000_000]), st.integers(0, 99)
+            st.integers(0, 3),
+            st.sampled_from(STEPS_NS),
+            st.integers(0, 99),
         ),
         max_size=80,
     ),
@@ -127,7 +130,7 @@ def test_messages_make_the_same_bag_one_by_one_and_many_at_once(
                 writer.write(stamped)
         with BagWriter(together, Compression.NONE) as writer:
             for piece in pieces(stream, [min(cut, len(stream)) for cut in cuts]):
-                writer.write_many(piece)
+                write_together(writer, piece)
         assert together.read_bytes() == alone.read_bytes()
         assert list(read_bag(together)) == sorted(stream, key=lambda stamped: stamped.receipt_ns)
 
@@ -136,10 +139,10 @@ def test_many_messages_at_once_are_written_up_to_the_first_that_cannot_be(tmp_pa
     stream = mission(100)
     wrong = Stamped(stream[1].connection, -5, b"")
     with BagWriter(tmp_path / "m.bag") as writer:
-        writer.write_many(stream[:20])
+        write_together(writer, stream[:20])
         with pytest.raises(TransportError, match="a message of /chatter at -5 ns cannot be written"):
-            writer.write_many([*stream[20:60], wrong, *stream[60:]])
-        writer.write_many(stream[80:])
+            write_together(writer, [*stream[20:60], wrong, *stream[60:]])
+        write_together(writer, stream[80:])
     assert list(read_bag(tmp_path / "m.bag")) == [*stream[:60], *stream[80:]]
 
 
@@ -147,18 +150,18 @@ def test_equal_connections_are_one_in_the_bag_however_their_messages_come(tmp_pa
     stream = mission(60)
     copies = [stamped._replace(connection=dataclasses.replace(stamped.connection)) for stamped in stream]
     with BagWriter(tmp_path / "m.bag") as writer:
-        writer.write_many(stream[:30])
-        writer.write_many(copies[30:])
+        write_together(writer, stream[:30])
+        write_together(writer, copies[30:])
     assert list(read_bag(tmp_path / "m.bag")) == stream
     assert len(read_bag_info(tmp_path / "m.bag").connections) == 4
 
 
 def test_a_closed_bag_takes_no_messages_at_once_either(tmp_path: Path) -> None:
     writer = BagWriter(tmp_path / "m.bag")
-    writer.write_many(mission(20))
+    write_together(writer, mission(20))
     writer.close()
     with pytest.raises(TransportError, match="is closed; a message of /mrta/mission came too late"):
-        writer.write_many(mission(20))
+        write_together(writer, mission(20))
 
 
 def test_a_bag_is_active_until_it_is_closed(tmp_path: Path) -> None:
@@ -336,7 +339,7 @@ def test_ros_reads_reindexes_and_appends_to_our_bags(tmp_path: Path, compression
     # The first chunk is as large as chunks get.
     stream = sorted([*ballast(), *mission(300)], key=lambda stamped: stamped.receipt_ns)
     with BagWriter(path, compression) as writer:
-        writer.write_many(stream)
+        write_together(writer, stream)
     ours = [[s.connection.topic, s.connection.md5, s.receipt_ns, s.raw.hex()] for s in stream]
 
     script = (
@@ -371,9 +374,9 @@ def test_rosbag_plays_our_bags(tmp_path: Path) -> None:
     path = tmp_path / "m.bag"
     with BagWriter(path) as writer:
         # What is played lies around and between chunks as large as they get.
-        writer.write_many(mission(90)[:30])
-        writer.write_many(ballast())
-        writer.write_many(mission(90)[30:])
+        write_together(writer, mission(90)[:30])
+        write_together(writer, ballast())
+        write_together(writer, mission(90)[30:])
     master = (
         "import sys\nfrom rosmaster.master import Master\n"
         "master = Master(0); master.start(); print(master.uri, flush=True); sys.stdin.read(); master.stop()\n"

@@ -28,7 +28,7 @@ from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Event, Mission, MissionRecord
 from rqt_mrta_py.render import SceneTracker
 from rqt_mrta_py.supervisor import Supervisor
-from rqt_mrta_py.transport import Dispatcher
+from rqt_mrta_py.transport import Batch, Dispatcher
 from rqt_mrta_py.wording import accepted
 
 __all__ = ["CURVE_WINDOW", "Observation"]
@@ -87,9 +87,13 @@ class Observation:
                 self._dispatcher.subscribe(subscription, listener.hear)
         manager.notify("mrta_on_mission_start", mission=mission)
 
-    def feed(self, messages: Sequence[Stamped]) -> None:
+    def feed(self, stamped: Stamped) -> None:
+        """Take in the next message of the stream."""
+        self._dispatcher.feed(stamped)
+
+    def feed_batch(self, batch: Batch) -> None:
         """Take in the next messages of the stream."""
-        self._dispatcher.feed_many(messages)
+        self._dispatcher.feed_batch(batch)
 
     def news(self) -> Sequence[Outgoing]:
         """Give what the supervisor has to say since it was last asked."""

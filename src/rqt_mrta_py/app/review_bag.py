@@ -94,7 +94,7 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
             with patience.at_work(f"the review at {(stamped.receipt_ns - start_ns) / _NS:g} s"):
                 if pictures is not None:
                     pictures.until(stamped.receipt_ns, observation)
-                observation.feed((stamped,))
+                observation.feed(stamped)
             progress((stamped.receipt_ns - start_ns) / _NS, length)
             if interrupt.requested:
                 break

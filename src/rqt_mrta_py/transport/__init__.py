@@ -3,7 +3,7 @@
 * ``codec``: message types, fields into bytes and back
 * ``patterns``, ``fitting``, ``dispatch``: hearing a stream
 * ``embedded``: the bus of simulated runs
-* ``batches``: from process to process
+* ``batch``: messages of one moment, column by column; ``packing`` brings them from process to process
 * ``bags``: as they are recorded, as they are read, whole or not
 * ``rosbags_door``: the only place that imports rosbags
 """
@@ -15,16 +15,18 @@ from rqt_mrta_py.transport.bags.compression import Compression
 from rqt_mrta_py.transport.bags.faults import BagFault
 from rqt_mrta_py.transport.bags.reader import BagInfo, read_bag, read_bag_info
 from rqt_mrta_py.transport.bags.writer import BagWriter
-from rqt_mrta_py.transport.batches import BatchPacker, BatchUnpacker
+from rqt_mrta_py.transport.batch import Batch
 from rqt_mrta_py.transport.codec.ros_codec import RosCodec
 from rqt_mrta_py.transport.dispatch import Dispatcher
 from rqt_mrta_py.transport.embedded.bus import Bus
 from rqt_mrta_py.transport.embedded.node import Node
+from rqt_mrta_py.transport.packing import BatchPacker, BatchUnpacker
 
 __all__ = [
     "BagFault",
     "BagInfo",
     "BagWriter",
+    "Batch",
     "BatchPacker",
     "BatchUnpacker",
     "Bus",

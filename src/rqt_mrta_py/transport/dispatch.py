@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from itertools import count
-from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Set, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Codec, Connection, FieldReader, Heard, Sighting, Stamped, Subscription
+from rqt_mrta_py.transport.batch import Batch
 from rqt_mrta_py.transport.fitting import reader_for
 from rqt_mrta_py.transport.patterns import TopicPattern, resolve_topic
 
@@ -118,14 +119,17 @@ class Dispatcher:
         Args:
             stamped: the next message of the stream.
         """
-        self.feed_many((stamped,))
+        self._feed((stamped,))
 
-    def feed_many(self, messages: Sequence[Stamped]) -> None:
+    def feed_batch(self, batch: Batch) -> None:
         """Hand messages to everybody who wants them, one after another.
 
         Args:
-            messages: the next ones of the stream.
+            batch: the next ones of the stream.
         """
+        self._feed(batch)
+
+    def _feed(self, messages: Iterable[Stamped]) -> None:
         by_identity = self._by_identity
         last_ns, receipt = 0, 0.0
         for connection, receipt_ns, raw in messages:

@@ -16,10 +16,10 @@ from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.app.outputs.pictures import PICTURE_TOPIC, PictureSchedule
 from rqt_mrta_py.app.outputs.results import Results, write_results
 from rqt_mrta_py.app.run.clock import RunClock
-from rqt_mrta_py.hooks import Exporter, Outgoing, Renderer, Stamped
+from rqt_mrta_py.hooks import Exporter, Outgoing, Renderer
 from rqt_mrta_py.hooks.patience import Patience
 from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
-from rqt_mrta_py.transport import BagWriter, Bus
+from rqt_mrta_py.transport import BagWriter, Batch, Bus
 
 __all__ = ["STATE_PERIOD", "SUPERVISOR_TOPICS", "Watch", "WatchPlan", "Watcher", "open_watch"]
 
@@ -46,7 +46,7 @@ CHECKPOINT_PERIOD = 0.5
 class Watcher(Protocol):
     """What the team's side of a run tells."""
 
-    def hear(self, batch: Sequence[Stamped]) -> None:
+    def hear(self, batch: Batch) -> None:
         """Take in messages, in bus order, before loss and delay."""
         ...
 
@@ -105,8 +105,8 @@ class Watch:
 
     def timed_parts(self) -> Iterator[Tuple[Any, str, str]]:
         """Name what a benchmark times: object, method, and the part of the work that it is."""
-        yield self._bag, "write_many", "recording"
-        yield self._plan.observation, "feed", "supervision"
+        yield self._bag, "write_batch", "recording"
+        yield self._plan.observation, "feed_batch", "supervision"
         yield self._plan.observation, "news", "supervision"
         yield self._plan.observation, "view", "views"
         yield self._plan.observation.supervisor, "team_state", "views"
@@ -118,10 +118,10 @@ class Watch:
         self._bag.checkpoint()
         self.abandoned = True
 
-    def hear(self, batch: Sequence[Stamped]) -> None:
+    def hear(self, batch: Batch) -> None:
         """Take in messages; they are in the bag, whatever a rule makes of them."""
-        self._bag.write_many(batch)
-        self._plan.observation.feed(batch)
+        self._bag.write_batch(batch)
+        self._plan.observation.feed_batch(batch)
 
     def end_tick(self, tick: int) -> None:
         """Say what is new, draw what is due."""

@@ -16,14 +16,14 @@ import threading
 import traceback
 from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection
-from typing import Any, Callable, Iterator, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Callable, Iterator, List, NamedTuple, Optional, Tuple
 
 from rqt_mrta_py.app.outputs.results import Results
 from rqt_mrta_py.app.run.watch import Watcher, WatchPlan, open_watch
 from rqt_mrta_py.errors import MrtaError
-from rqt_mrta_py.hooks import Codec, Stamped
+from rqt_mrta_py.hooks import Codec
 from rqt_mrta_py.sim import PerfectLink
-from rqt_mrta_py.transport import BatchPacker, BatchUnpacker, Bus
+from rqt_mrta_py.transport import Batch, BatchPacker, BatchUnpacker, Bus
 
 __all__ = ["WatchProcess", "WatchProcessError", "open_watch_process"]
 
@@ -68,8 +68,8 @@ class WatchProcess:
         self._tell: Connection = tell
         self._answers: Connection = answers
         self._packer = BatchPacker()
-        self._pending: List[Stamped] = []
-        self.hear: Callable[[Sequence[Stamped]], None] = self._pending.extend
+        self._pending: List[Batch] = []
+        self.hear: Callable[[Batch], None] = self._pending.append
         # What is buffered now would be written twice.
         sys.stdout.flush()
         sys.stderr.flush()
@@ -91,9 +91,9 @@ class WatchProcess:
         """
         while not self._room.acquire(timeout=_PATIENCE):
             self._look()
-        batch = self._packer.pack(self._pending)
+        piece = self._packer.pack(self._pending)
         self._pending.clear()
-        self._send(batch)
+        self._send(piece)
 
     def finish(self) -> Results:
         """End the stream and wait for what is derived from it.
@@ -237,7 +237,8 @@ def _watch(ends: _Ends) -> Optional[Results]:
             if message == _FINISH:
                 return watch.finish()
             with ends.plan.patience.at_work(f"the watching of the tick at {tick / ends.plan.clock.rate:g} s"):
-                watch.hear(unpacker.unpack(message))
+                for batch in unpacker.unpack(message):
+                    watch.hear(batch)
             watch.end_tick(tick)
             tick += 1
             ends.room.release()

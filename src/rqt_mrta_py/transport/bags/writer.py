@@ -10,10 +10,10 @@ from __future__ import annotations
 import logging
 import struct
 from contextlib import suppress
-from operator import itemgetter
+from itertools import repeat
 from pathlib import Path
 from types import TracebackType
-from typing import Dict, List, NamedTuple, Optional, Sequence, Type
+from typing import Dict, List, NamedTuple, Optional, Type
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Connection, Stamped
@@ -28,6 +28,7 @@ from rqt_mrta_py.transport.bags.records import (
     connection_record,
     file_header,
 )
+from rqt_mrta_py.transport.batch import Batch
 
 __all__ = ["BagWriter"]
 
@@ -46,7 +47,6 @@ _WORTH_A_LOOK = 8
 """Fewer messages are written one by one."""
 
 _u32 = struct.Struct("<I").pack
-_connection, _receipt, _raw = itemgetter(0), itemgetter(1), itemgetter(2)
 
 
 class _Written(NamedTuple):
@@ -141,22 +141,22 @@ class BagWriter:
         self._chunk_bytes += MESSAGE_HEADERS.length + size
         self._pending.append((number, receipt_ns, raw))
 
-    def write_many(self, messages: Sequence[Stamped]) -> None:
+    def write_batch(self, batch: Batch) -> None:
         """Write messages one after another; the bag is the same, and so are errors.
 
         Args:
-            messages: in their order.
+            batch: the messages.
 
         Raises:
             TransportError: as for one; the messages before it are written.
         """
-        if len(messages) < _WORTH_A_LOOK:
-            for stamped in messages:
+        if len(batch) < _WORTH_A_LOOK:
+            for stamped in batch:
                 self.write(stamped)
-        elif not self._take(messages):
-            half = len(messages) // 2
-            self.write_many(messages[:half])
-            self.write_many(messages[half:])
+            return
+        if not self._take(batch):
+            for stamped in batch:
+                self.write(stamped)
 
     def checkpoint(self) -> None:
         """Bring everything written so far to the file, where it survives this process.
@@ -245,21 +245,16 @@ class BagWriter:
         self.checkpoint()
         self._since_ns, self._until_ns = receipt_ns, min(receipt_ns + self._period_ns, _END_OF_TIME_NS)
 
-    def _take(self, messages: Sequence[Stamped]) -> bool:
+    def _take(self, batch: Batch) -> bool:
         """Let messages wait for the present chunk; only if all of them belong to it and their connections are known."""
         try:
-            numbers = list(map(self._by_identity.__getitem__, map(id, map(_connection, messages))))
+            numbers = list(map(self._by_identity.__getitem__, map(id, batch.connections)))
         except KeyError:
             return False
-        receipts, raws = list(map(_receipt, messages)), list(map(_raw, messages))
-        size = sum(map(len, raws)) + MESSAGE_HEADERS.length * len(raws)
-        if (
-            self._since_ns <= min(receipts)
-            and max(receipts) < self._until_ns
-            and self._chunk_bytes + size <= _CHUNK_BYTES
-        ):
+        size = len(batch.content) + MESSAGE_HEADERS.length * len(numbers)
+        if self._since_ns <= batch.receipt_ns < self._until_ns and self._chunk_bytes + size <= _CHUNK_BYTES:
             self._chunk_bytes += size
-            self._pending.extend(zip(numbers, receipts, raws))
+            self._pending.extend(zip(numbers, repeat(batch.receipt_ns), batch.raws))
             return True
         return False
 

@@ -9,12 +9,11 @@ Nodes of one robot, and nodes of none, hear one another at once; between any oth
 
 from __future__ import annotations
 
-from functools import partial
-from itertools import repeat
-from typing import Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple
+from typing import Callable, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Codec, Column, Connection, Link, Outgoing, Stamped
+from rqt_mrta_py.hooks import Codec, Column, Connection, Link, Outgoing
+from rqt_mrta_py.transport.batch import Batch
 from rqt_mrta_py.transport.codec.definitions import parse_definition
 from rqt_mrta_py.transport.embedded.inbox import Hearing, Inbox, Message, Read
 from rqt_mrta_py.transport.embedded.node import Node
@@ -23,11 +22,15 @@ from rqt_mrta_py.transport.embedded.wiring import Ear, Wiring
 
 __all__ = ["Bus"]
 
-_stamped = partial(tuple.__new__, Stamped)
-"""Makes a Stamped of a tuple of its values without a call of Python code."""
-
 _MOST_CHOIRS = 64
 """How many groups of nodes that publish together are remembered."""
+
+
+class _Choir(NamedTuple):
+    """Publishers that publish together."""
+
+    publishers: Tuple[Publisher, ...]
+    connections: Tuple[Connection, ...]
 
 
 class Bus:
@@ -42,12 +45,13 @@ class Bus:
         self.codec = codec
         self.link = link
         self._nodes: Dict[str, Node] = {}
-        self._taps: List[Callable[[Sequence[Stamped]], None]] = []
+        self._taps: List[Callable[[Batch], None]] = []
         self._wiring = Wiring(codec)
         self._publishers: Dict[Tuple[str, str, str, bool], Publisher] = {}
         # Only those that keep a message for late subscribers, in the order in which they were made.
         self._latched: Dict[str, List[Publisher]] = {}
-        self._choirs: Dict[Tuple[Tuple[Node, ...], str, str], Tuple[Publisher, ...]] = {}
+        self._choirs: Dict[Tuple[Tuple[Node, ...], str, str], _Choir] = {}
+        self._line_ups: Dict[Tuple[int, ...], Tuple[Connection, ...]] = {}
         self._headers: Dict[str, str] = {}
         self._now = float("-inf")
         self._now_ns = 0
@@ -68,7 +72,7 @@ class Bus:
         node = self._nodes[name] = Node(self, len(self._nodes), name, robot, remappings)
         return node
 
-    def tap(self, callback: Callable[[Sequence[Stamped]], None]) -> None:
+    def tap(self, callback: Callable[[Batch], None]) -> None:
         """Tell a callback of each message once, as it is published, before loss and delay.
 
         Args:
@@ -159,7 +163,8 @@ class Bus:
                         if heard:
                             self._hand_out(publisher, ordinal, raw, publisher.read)
         finally:
-            self._tell(connections, raws)
+            if tapped and raws:
+                self._tell(Batch.of(self._line_up(connections), self._now_ns, raws))
 
     def publish_together(
         self, nodes: Sequence[Node], topic: str, type_name: str, columns: Mapping[str, Column], now: float
@@ -180,7 +185,7 @@ class Bus:
         """
         if now != self._now:
             self.advance(now)
-        publishers = self._publishers_of(nodes, topic, type_name)
+        publishers, connections = self._choir(nodes, topic, type_name)
         ordinals: List[int] = []
         heard = False
         for publisher in publishers:
@@ -192,7 +197,8 @@ class Bus:
         if not (heard or self._taps):
             return
         raws = encode_together(self.codec, publishers, columns) if publishers else []
-        self._tell([publisher.connection for publisher in publishers], raws)
+        if self._taps and raws:
+            self._tell(Batch.of(connections, self._now_ns, raws))
         if heard:
             for publisher, ordinal, raw in zip(publishers, ordinals, raws):
                 self._hand_out(publisher, ordinal, raw, {})
@@ -220,26 +226,34 @@ class Bus:
         self._now = now
         self._now_ns = round(now * 1e9)
 
-    def _publishers_of(self, nodes: Sequence[Node], topic: str, type_name: str) -> Tuple[Publisher, ...]:
+    def _choir(self, nodes: Sequence[Node], topic: str, type_name: str) -> _Choir:
         key = (tuple(nodes), topic, type_name)
-        publishers = self._choirs.get(key)
-        if publishers is None:
+        choir = self._choirs.get(key)
+        if choir is None:
             if len(self._choirs) >= _MOST_CHOIRS:
                 self._choirs.clear()
-            publishers = self._choirs[key] = tuple(node.publisher(topic, type_name, False) for node in nodes)
-        return publishers
+            publishers = tuple(node.publisher(topic, type_name, False) for node in nodes)
+            choir = self._choirs[key] = _Choir(publishers, tuple(publisher.connection for publisher in publishers))
+        return choir
+
+    def _line_up(self, connections: Sequence[Connection]) -> Tuple[Connection, ...]:
+        """Give the same tuple again for the same connections, which those who are told find faster."""
+        key = tuple(map(id, connections))
+        known = self._line_ups.get(key)
+        if known is None:
+            if len(self._line_ups) >= _MOST_CHOIRS:
+                self._line_ups.clear()
+            known = self._line_ups[key] = tuple(connections)
+        return known
 
     def _rewire(self, publisher: Publisher) -> None:
         """Find out anew who hears a publisher."""
         publisher.receivers = self._wiring.receivers(publisher.topic, publisher.connection)
         publisher.version = publisher.topic.version
 
-    def _tell(self, connections: Sequence[Connection], raws: Sequence[bytes]) -> None:
-        """Tell taps what was published at this moment."""
-        if self._taps and raws:
-            batch = list(map(_stamped, zip(connections, repeat(self._now_ns), raws)))
-            for tap in self._taps:
-                tap(batch)
+    def _tell(self, batch: Batch) -> None:
+        for tap in self._taps:
+            tap(batch)
 
     def _hand_out(self, publisher: Publisher, ordinal: int, raw: bytes, read: Read) -> None:
         """Send a message to all who hear it."""
