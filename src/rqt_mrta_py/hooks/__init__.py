@@ -4,13 +4,13 @@
 * ``manager``: calls plugins in a defined order; ``loading`` imports them, ``contract`` and ``answers`` check them,
   ``patience`` interrupts them, ``trace`` writes their calls down; ``survey`` reads what they implement unimported
 * ``stream``: messages, subscriptions, the codec's Protocol
-* ``agent``, ``allocator``, ``behaviour``, ``evaluator``, ``navigator``: on the robot
+* ``agent``, ``allocator``, ``behaviour``, ``evaluator``, ``navigator``, ``robot_sensor``: on the robot
 * ``world``, ``robot_model``, ``sensor``, ``link``: in simulation
-* ``allocation``, ``incident``, ``statistic``: in supervision
-* ``picture``: in pictures
+* ``allocation``, ``incident``, ``statistic``, ``measure``: in supervision
+* ``picture``, ``figure``: in pictures
 * ``parameters``: in checks
 * ``exporter``, ``observer``: what else hears a mission
-* ``verb``, ``benchmark``: on the command line
+* ``verb``, ``benchmark``, ``laboratory``: on the command line
 
 Errors that a plugin may raise to be told in one line stand here too.
 """
@@ -34,9 +34,18 @@ from rqt_mrta_py.hooks.behaviour import (
     Command,
     Perception,
 )
-from rqt_mrta_py.hooks.benchmark import Benchmark, BenchmarkTable
+from rqt_mrta_py.hooks.benchmark import Benchmark, BenchmarkReport, BenchmarkTable
 from rqt_mrta_py.hooks.evaluator import SensorReading, SensoryEvaluator, SensoryEvaluatorFactory
 from rqt_mrta_py.hooks.exporter import Exporter, ExporterFactory, ExporterSetup
+from rqt_mrta_py.hooks.figure import (
+    Chart,
+    Figure,
+    FigureMaker,
+    FigureMakerFactory,
+    FigureSetup,
+    Line,
+    LineStyle,
+)
 from rqt_mrta_py.hooks.incident import (
     AllocationEnded,
     AllocationStarted,
@@ -50,9 +59,11 @@ from rqt_mrta_py.hooks.incident import (
     RuleSetup,
     TaskStateChanged,
 )
+from rqt_mrta_py.hooks.laboratory import Experiment, Laboratory, Trial
 from rqt_mrta_py.hooks.link import Link, LinkFactory, LinkSetup
 from rqt_mrta_py.hooks.loading import load_plugin, load_plugins
 from rqt_mrta_py.hooks.manager import PluginManager
+from rqt_mrta_py.hooks.measure import Measure, MeasureFactory, MeasureSetup
 from rqt_mrta_py.hooks.navigator import CostField, Navigator, PlannerFactory, PlannerSetup
 from rqt_mrta_py.hooks.observer import MessageObserverFactory, ObserverSetup
 from rqt_mrta_py.hooks.parameters import ParameterProblem
@@ -70,6 +81,7 @@ from rqt_mrta_py.hooks.picture import (
     SceneView,
 )
 from rqt_mrta_py.hooks.robot_model import RobotModel
+from rqt_mrta_py.hooks.robot_sensor import RobotSensor, RobotSensorFactory, RobotSensorSetup
 from rqt_mrta_py.hooks.sensor import (
     RayPattern,
     Sensor,
@@ -91,6 +103,7 @@ from rqt_mrta_py.hooks.stream import (
     Heard,
     Listener,
     Outgoing,
+    OutgoingRows,
     Sighting,
     Stamped,
     Subscription,
@@ -117,9 +130,11 @@ __all__ = [
     "BehaviourSetup",
     "BehaviourStep",
     "Benchmark",
+    "BenchmarkReport",
     "BenchmarkTable",
     "Body",
     "BodyState",
+    "Chart",
     "Codec",
     "Column",
     "Command",
@@ -130,21 +145,32 @@ __all__ = [
     "CurveGroup",
     "CurvePanel",
     "Decision",
+    "Experiment",
     "Exporter",
     "ExporterFactory",
     "ExporterSetup",
     "Fact",
     "FieldReader",
+    "Figure",
+    "FigureMaker",
+    "FigureMakerFactory",
+    "FigureSetup",
     "Heard",
     "HookSpecs",
     "IncidentBoard",
     "IncidentRule",
     "IncidentRuleFactory",
     "InterpreterSetup",
+    "Laboratory",
+    "Line",
+    "LineStyle",
     "Link",
     "LinkFactory",
     "LinkSetup",
     "Listener",
+    "Measure",
+    "MeasureFactory",
+    "MeasureSetup",
     "MessageObserverFactory",
     "MissingDependencyError",
     "MonitorPanel",
@@ -154,6 +180,7 @@ __all__ = [
     "Navigator",
     "ObserverSetup",
     "Outgoing",
+    "OutgoingRows",
     "PanelSetup",
     "ParameterProblem",
     "Perception",
@@ -165,6 +192,9 @@ __all__ = [
     "Renderer",
     "RobotHeard",
     "RobotModel",
+    "RobotSensor",
+    "RobotSensorFactory",
+    "RobotSensorSetup",
     "RobotSight",
     "RobotSilent",
     "RobotStateChanged",
@@ -190,6 +220,7 @@ __all__ = [
     "TeamOutgoing",
     "TeamSensor",
     "TeamSensorFactory",
+    "Trial",
     "UsageError",
     "Verb",
     "World",

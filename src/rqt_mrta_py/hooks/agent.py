@@ -8,11 +8,12 @@ the hundred in one simulated process, or alone in a ROS node on a robot.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Protocol, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Protocol, Sequence, Tuple, Union
 
 from rqt_mrta_py.hooks.allocator import Allocator
 from rqt_mrta_py.hooks.evaluator import SensoryEvaluatorFactory
-from rqt_mrta_py.hooks.stream import Heard, Outgoing, Subscription
+from rqt_mrta_py.hooks.robot_sensor import RobotSensorFactory
+from rqt_mrta_py.hooks.stream import Heard, Outgoing, OutgoingRows, Subscription
 from rqt_mrta_py.model import Pose, Progress, Task
 
 if TYPE_CHECKING:
@@ -34,6 +35,7 @@ class AgentSetup:
         evaluators: sensory evaluators by name (``package/name``).
         allocators: by name (``package/name``).
         later_tasks: that this robot may carry out once they appear: not there yet, not applicable until then.
+        sensors: readers of the robot's own sensors by name (``package/name``).
     """
 
     robot_id: str
@@ -44,6 +46,7 @@ class AgentSetup:
     evaluators: Mapping[str, SensoryEvaluatorFactory] = field(default_factory=dict)
     allocators: Mapping[str, Allocator] = field(default_factory=dict)
     later_tasks: Tuple[Task, ...] = ()
+    sensors: Mapping[str, RobotSensorFactory] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -92,11 +95,11 @@ class Decision:
 
     Attributes:
         task: id of the task to carry out from now on; None to do nothing.
-        messages: what to say, in this order.
+        messages: what to say, in this order; many of one type together, where there are many.
     """
 
     task: Optional[str]
-    messages: Sequence[Outgoing] = ()
+    messages: Sequence[Union[Outgoing, OutgoingRows]] = ()
 
 
 class Agent(Protocol):

@@ -26,6 +26,7 @@ _WORD = (re.compile(r"[a-z0-9]+([-_][a-z0-9]+)*"), "lower case letters and digit
 _NAMES: Mapping[str, Tuple[Pattern[str], str]] = {
     "mrta_register_benchmarks": _WORD,
     "mrta_register_exporters": _WORD,
+    "mrta_register_figures": _WORD,
     "mrta_register_verbs": (re.compile(r"[a-z0-9]+(-[a-z0-9]+)*"), "lower case letters and digits, joined by '-'"),
 }
 """Names that are typed on the command line, or become folders."""

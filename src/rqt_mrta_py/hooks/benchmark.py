@@ -6,7 +6,10 @@ from argparse import ArgumentParser, Namespace
 from dataclasses import dataclass
 from typing import Callable, Tuple, Union
 
-__all__ = ["Benchmark", "BenchmarkTable"]
+from rqt_mrta_py.hooks.figure import Figure
+from rqt_mrta_py.hooks.laboratory import Laboratory
+
+__all__ = ["Benchmark", "BenchmarkReport", "BenchmarkTable"]
 
 Cell = Union[str, int, float, None]
 
@@ -29,15 +32,28 @@ class BenchmarkTable:
 
 
 @dataclass(frozen=True)
+class BenchmarkReport:
+    """What was measured, where that is more than one table.
+
+    Attributes:
+        tables: in the order of printing.
+        figures: written with ``--out DIR``.
+    """
+
+    tables: Tuple[BenchmarkTable, ...]
+    figures: Tuple[Figure, ...] = ()
+
+
+@dataclass(frozen=True)
 class Benchmark:
     """One benchmark; its name is the one it is registered under.
 
     Attributes:
         help: one line, as ``mrta bench --help`` shows it.
-        add_arguments: says what it takes.
-        measure: does it.
+        add_arguments: says what it takes; ``--json`` and ``--out`` are there already.
+        measure: does it, with a laboratory at hand for simulated missions.
     """
 
     help: str
     add_arguments: Callable[[ArgumentParser], None]
-    measure: Callable[[Namespace], BenchmarkTable]
+    measure: Callable[[Namespace, Laboratory], Union[BenchmarkTable, BenchmarkReport]]

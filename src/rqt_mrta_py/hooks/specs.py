@@ -25,13 +25,16 @@ from rqt_mrta_py.hooks.behaviour import BehaviourFactory
 from rqt_mrta_py.hooks.benchmark import Benchmark
 from rqt_mrta_py.hooks.evaluator import SensoryEvaluatorFactory
 from rqt_mrta_py.hooks.exporter import ExporterFactory
+from rqt_mrta_py.hooks.figure import FigureMakerFactory
 from rqt_mrta_py.hooks.incident import IncidentRuleFactory
 from rqt_mrta_py.hooks.link import LinkFactory
+from rqt_mrta_py.hooks.measure import MeasureFactory
 from rqt_mrta_py.hooks.navigator import PlannerFactory
 from rqt_mrta_py.hooks.observer import MessageObserverFactory
 from rqt_mrta_py.hooks.parameters import ParameterProblem
 from rqt_mrta_py.hooks.picture import MonitorPanelFactory, Renderer
 from rqt_mrta_py.hooks.robot_model import RobotModel
+from rqt_mrta_py.hooks.robot_sensor import RobotSensorFactory
 from rqt_mrta_py.hooks.sensor import SensorFactory, TeamSensorFactory
 from rqt_mrta_py.hooks.statistic import Statistic
 from rqt_mrta_py.hooks.verb import Verb
@@ -84,6 +87,16 @@ class HookSpecs:
         """Name who judges from sensors whether a task is applicable.
 
         Called: once, before a run or a live agent starts.
+        Returns: factory by name, spelt ``package/name`` as in parameters.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_register_robot_sensors(self) -> Mapping[str, RobotSensorFactory]:  # type: ignore[empty-body]
+        """Name who reads a robot's own sensors for sensory evaluators.
+
+        Called: once, before a run or a live agent starts; an agent makes one reader for each sensor of its parameters.
         Returns: factory by name, spelt ``package/name`` as in parameters.
         Combined: joined; the first registration of a name wins.
         An exception: stops the command.
@@ -178,6 +191,26 @@ class HookSpecs:
         Returns: function by the key it has in ``summary.json``.
         Combined: joined; the first registration of a name wins; written in the order of names.
         An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_register_measures(self) -> Mapping[str, MeasureFactory]:  # type: ignore[empty-body]
+        """Name the numbers that sum up a mission and that can be told only by hearing it.
+
+        Called: once, before supervision starts; each factory once, its measure asked when the stream has ended.
+        Returns: factory by the key it has among the statistics of ``summary.json``.
+        Combined: joined; the first registration of a name wins, before a statistic of that name.
+        An exception: stops the command; one raised by a measure later on stops it too.
+        """
+
+    @hookspec
+    def mrta_register_figures(self) -> Mapping[str, FigureMakerFactory]:  # type: ignore[empty-body]
+        """Name the charts that runs and reviews can leave.
+
+        Called: once, before a run or review starts; the factories only of those asked for (``--figures``).
+        Returns: factory by the name that ``--figures`` uses; its pictures go to ``figures/<name>/``.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command; one raised by a maker later on stops it too.
         """
 
     @hookspec

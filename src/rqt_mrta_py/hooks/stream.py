@@ -23,6 +23,7 @@ __all__ = [
     "Heard",
     "Listener",
     "Outgoing",
+    "OutgoingRows",
     "Sighting",
     "Stamped",
     "Subscription",
@@ -147,6 +148,23 @@ class TeamOutgoing(NamedTuple):
     topic: str
     type: str
     robots: Tuple[str, ...]
+    columns: Mapping[str, Column]
+
+
+class OutgoingRows(NamedTuple):
+    """Messages of one type that one publisher says at one moment, one on each of several topics, column by column.
+
+    Made for an agent with a hundred behaviour sets, each with a topic of its own.
+
+    Attributes:
+        topics: absolute, relative or private; resolved in the publisher's namespace; in order, each once; the rows of
+            all columns.
+        type: ``pkg/Msg``.
+        columns: as in TeamOutgoing.
+    """
+
+    topics: Tuple[str, ...]
+    type: str
     columns: Mapping[str, Column]
 
 

@@ -40,6 +40,7 @@ from rqt_mrta_py.model.record import (
 )
 from rqt_mrta_py.model.scenario import (
     Arena,
+    LooseBody,
     Obstacle,
     RadioSetup,
     RobotSetup,
@@ -69,6 +70,7 @@ __all__ = [
     "IncludeSpec",
     "LaunchArgument",
     "LaunchTemplate",
+    "LooseBody",
     "MapTemplate",
     "Mission",
     "MissionRecord",

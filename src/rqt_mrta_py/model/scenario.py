@@ -10,6 +10,7 @@ from rqt_mrta_py.model.geometry import Pose
 
 __all__ = [
     "Arena",
+    "LooseBody",
     "Obstacle",
     "RadioSetup",
     "RobotSetup",
@@ -52,6 +53,25 @@ class Obstacle:
     pose: Pose
     size: Tuple[float, float, float]
     shape: str = "box"
+
+
+@dataclass(frozen=True)
+class LooseBody:
+    """A body that robots can push or carry: rubbish, a block.
+
+    Attributes:
+        id: unique among bodies, obstacles and robots.
+        pose: of its centre at the start, in the frame ``map``; it stands on the floor.
+        size: length, width, height [m].
+        mass: [kg].
+        kind: what it is, as those who look for it call it.
+    """
+
+    id: str
+    pose: Pose
+    size: Tuple[float, float, float]
+    mass: float = 0.2
+    kind: str = "thing"
 
 
 @dataclass(frozen=True)
@@ -185,6 +205,7 @@ class ScenarioSpec:
         picture_period: one monitor picture every so many seconds of mission time; 0 for none [s].
         radio: between robots, at the start.
         planner: the name under which is registered what robots find their ways with.
+        bodies: that can be pushed or carried, in file order.
     """
 
     arena: Arena
@@ -197,3 +218,4 @@ class ScenarioSpec:
     picture_period: float = 1.0
     radio: RadioSetup = field(default_factory=RadioSetup)
     planner: str = "astar"
+    bodies: Tuple[LooseBody, ...] = ()

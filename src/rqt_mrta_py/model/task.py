@@ -25,6 +25,8 @@ class Task:
         expected_duration: how long one robot is expected to take [s]; None if unknown.
         perpetual: True if it never ends by itself.
         data: whatever its behaviour wants to know besides.
+        layers: kinds of behaviours above the one that carries it out, from lower to higher. While a higher layer
+            commands an actuator, what lower ones command it does not count (subsumption).
     """
 
     id: str
@@ -37,3 +39,4 @@ class Task:
     expected_duration: Optional[float] = None
     perpetual: bool = False
     data: Mapping[str, Any] = field(default_factory=dict)
+    layers: Tuple[str, ...] = ()
