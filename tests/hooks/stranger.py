@@ -27,6 +27,7 @@ from rqt_mrta_py.hooks import (
     Heard,
     IncidentBoard,
     InterpreterSetup,
+    Laboratory,
     LinkSetup,
     MonitorView,
     Outgoing,
@@ -317,7 +318,7 @@ class Stranger:
 
     @hookimpl
     def mrta_register_benchmarks(self) -> Mapping[str, Any]:
-        def measure(options: Namespace) -> BenchmarkTable:
+        def measure(options: Namespace, laboratory: Laboratory) -> BenchmarkTable:
             return BenchmarkTable("Holes", ("depth [m]",), ((options.depth,),))
 
         return {"holes": Benchmark("holes dug", _depth, measure)}

@@ -18,7 +18,7 @@ def add_arguments(parser):
     parser.add_argument("--robots", type=int, default=3)
 
 
-def measure(options):
+def measure(options, laboratory):
     return {table}
 
 
@@ -66,13 +66,17 @@ def test_bench_prints_the_table_with_notes_below(command: Command, stranger: Pat
 def test_bench_gives_the_table_as_json(command: Command, stranger: Path, arguments: Tuple[str, ...]) -> None:
     stranger.write_text(benchmark())
 
-    assert json.loads(command(*arguments).out) == {
-        "schema": "rqt_mrta_py/bench/1",
-        "benchmark": "laps",
+    table = {
         "title": "Laps",
         "columns": ["robot", "speed [m/s]", "laps"],
         "rows": [["mole", 1 / 3, 3], ["hare", None, 12345678]],
         "notes": ["Higher is better."],
+    }
+    assert json.loads(command(*arguments).out) == {
+        "schema": "rqt_mrta_py/bench/1",
+        "benchmark": "laps",
+        **table,
+        "tables": [table],
     }
 
 
@@ -107,7 +111,7 @@ def test_wrong_usage_exits_with_2_and_one_line(
     ("table", "message"),
     [
         ("1 / 0", ": ZeroDivisionError: division by zero"),
-        ("None", ": returned None; a BenchmarkTable is needed"),
+        ("None", ": returned None; a BenchmarkTable or BenchmarkReport is needed"),
         ("BenchmarkTable('t', ('a', 'b'), ((1,),))", ": the row (1,) has 1 cells for 2 columns"),
         (
             "BenchmarkTable('t', ('a',), ((float('nan'),),))",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from argparse import ArgumentParser
 from pathlib import Path
-from typing import Any, List, Mapping, Sequence
+from typing import Any, Iterator, List, Mapping, Sequence
 
 import nearest_robot.plugin
 import pytest
@@ -17,11 +17,19 @@ from nearest_robot.panel import CostPanel
 from nearest_robot.parameters import NearestRobotParameters, read_parameters
 
 from rqt_mrta_py.config import discover, load_mission
+from rqt_mrta_py.hooks import BenchmarkTable, Experiment, Trial
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import ArchitectureSpec, Task
 from tests.plugins.nearest_robot.team import own_bid, team_of
 
 T = Task("t", "any")
+
+
+class NoExperiments:
+    """A laboratory that nobody may use."""
+
+    def trials(self, experiments: Sequence[Experiment]) -> Iterator[Trial]:
+        raise AssertionError(experiments)
 
 
 @pytest.fixture
@@ -123,14 +131,15 @@ def test_benchmark_compares_both_allocators_on_equal_instances() -> None:
     parser = ArgumentParser()
     benchmark.add_arguments(parser)
     options = parser.parse_args(["--robots", "6", "--tasks", "4", "--instances", "10", "--seed", "3"])
-    table = benchmark.measure(options)
+    table = benchmark.measure(options, NoExperiments())
+    assert isinstance(table, BenchmarkTable)
     greedy, optimal = table.rows
     assert [row[0] for row in table.rows] == ["nearest_robot/nearest", "nearest_robot/optimal"]
     assert optimal[2:4] == (1.0, 1.0)
     assert 1.0 < greedy[2] <= greedy[3]
     assert greedy[4:] == optimal[4:] == (1000.0, 1000.0)
     assert all(len(row) == len(table.columns) for row in table.rows)
-    assert benchmark.measure(options).rows == table.rows
+    assert benchmark.measure(options, NoExperiments()) == table
 
 
 @pytest.mark.parametrize("arguments", [["--robots", "0"], ["--tasks", "x"], ["--seed", "-1"], ["--instances", "²"]])

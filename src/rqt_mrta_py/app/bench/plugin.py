@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import Mapping
 
-from rqt_mrta_py.hooks import Benchmark, BenchmarkTable, hookimpl
+from rqt_mrta_py.hooks import Benchmark, BenchmarkTable, Laboratory, hookimpl
 
 __all__ = ["mrta_register_benchmarks"]
 
@@ -22,7 +22,7 @@ def _loop_arguments(parser: ArgumentParser) -> None:
     add_arguments(parser)
 
 
-def _loop(options: Namespace) -> BenchmarkTable:
+def _loop(options: Namespace, _laboratory: Laboratory) -> BenchmarkTable:
     from rqt_mrta_py.app.bench.loop import measure
 
     return measure(options)

@@ -8,7 +8,7 @@ from typing import Any, Dict
 
 from rqt_mrta_py.app.guard import guarded
 from rqt_mrta_py.errors import HookError, UsageError
-from rqt_mrta_py.hooks import Benchmark, BenchmarkTable
+from rqt_mrta_py.hooks import Benchmark, BenchmarkReport, BenchmarkTable, Laboratory
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.wording import accepted, shown
 
@@ -58,23 +58,42 @@ def prepared(manager: PluginManager, name: str, parser: argparse.ArgumentParser)
     guarded(f"{who}: its help page", parser.format_help)
 
 
-def measured(manager: PluginManager, name: str, options: argparse.Namespace) -> BenchmarkTable:
+def measured(manager: PluginManager, name: str, options: argparse.Namespace, laboratory: Laboratory) -> BenchmarkReport:
     """Measure; that may take as long as it takes.
 
+    Args:
+        manager: plugins, loaded.
+        name: of the benchmark.
+        options: what it takes.
+        laboratory: carries out its experiments.
+
+    Returns:
+        What was measured; a single table as a report of one.
+
     Raises:
-        HookError: the benchmark raises, or answers what is no table; names plugin and benchmark.
+        HookError: the benchmark raises, or answers what is neither table nor report; names plugin and benchmark.
     """
     who = _who(manager, name)
-    table: Any = guarded(who, benchmark_named(manager, name).measure, options)
+    answer: Any = guarded(who, benchmark_named(manager, name).measure, options, laboratory)
+    report = BenchmarkReport((answer,)) if isinstance(answer, BenchmarkTable) else answer
+    if not isinstance(report, BenchmarkReport):
+        raise HookError(f"{who}: returned {shown(answer)}; a BenchmarkTable or BenchmarkReport is needed")
+    if not report.tables:
+        raise HookError(f"{who}: returned a report without tables; one at the least is needed")
+    for table in report.tables:
+        _check_table(who, table)
+    return report
+
+
+def _check_table(who: str, table: object) -> None:
     if not isinstance(table, BenchmarkTable):
-        raise HookError(f"{who}: returned {shown(table)}; a BenchmarkTable is needed")
+        raise HookError(f"{who}: {shown(table)} stands among its tables; a BenchmarkTable is needed")
     for row in table.rows:
         if len(row) != len(table.columns):
             raise HookError(f"{who}: the row {shown(row)} has {len(row)} cells for {len(table.columns)} columns")
         for cell in row:
             if not (cell is None or isinstance(cell, (str, int)) or (isinstance(cell, float) and math.isfinite(cell))):
                 raise HookError(f"{who}: the cell {shown(cell)} is neither text, finite number nor None")
-    return table
 
 
 def _who(manager: PluginManager, name: str) -> str:

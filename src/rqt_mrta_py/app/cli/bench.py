@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import argparse
-from typing import Any
+from typing import TYPE_CHECKING, Any, Dict
 
 from rqt_mrta_py.app.cli.common import complain_about, print_json, print_table
 from rqt_mrta_py.app.cli.parser import CommandParser, VerbParser, verbosity
 from rqt_mrta_py.app.cli.stdout import standard_output
 from rqt_mrta_py.errors import MrtaError
+
+if TYPE_CHECKING:
+    from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable
 
 __all__ = ["add_arguments", "main"]
 
@@ -24,6 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(options: argparse.Namespace) -> int:
     """List benchmarks, or measure one and print its table."""
+    from rqt_mrta_py.app.bench.no_laboratory import NoLaboratory
     from rqt_mrta_py.app.bench.registered import benchmark_named, benchmarks_of, measured, owner_of, prepared
     from rqt_mrta_py.app.compose import compose
 
@@ -43,25 +47,32 @@ def main(options: argparse.Namespace) -> int:
     parser.add_argument("--json", action="store_true", default=options.json, help="print as JSON")
     prepared(host.manager, options.name, parser)
     own = parser.parse_args(options.rest)
-    table = measured(host.manager, options.name, own)
+    report = measured(host.manager, options.name, own, NoLaboratory())
     with standard_output():
         if own.json:
-            print_json(
-                "bench",
-                {
-                    "benchmark": options.name,
-                    "title": table.title,
-                    "columns": list(table.columns),
-                    "rows": [list(row) for row in table.rows],
-                    "notes": list(table.notes),
-                },
-            )
+            print_json("bench", _document(options.name, report))
         else:
-            print(f"{table.title}\n")
-            print_table(table.columns, [[_cell(cell) for cell in row] for row in table.rows])
-            if table.notes:
-                print("", *table.notes, sep="\n")
+            for number, table in enumerate(report.tables):
+                print(f"{table.title}\n" if number == 0 else f"\n\n{table.title}\n")
+                print_table(table.columns, [[_cell(cell) for cell in row] for row in table.rows])
+                if table.notes:
+                    print("", *table.notes, sep="\n")
     return 0
+
+
+def _document(name: str, report: BenchmarkReport) -> Dict[str, Any]:
+    """Write all tables down, the first of them where a benchmark of a single table has it."""
+    tables = [_table_document(table) for table in report.tables]
+    return {"benchmark": name, **tables[0], "tables": tables}
+
+
+def _table_document(table: BenchmarkTable) -> Dict[str, Any]:
+    return {
+        "title": table.title,
+        "columns": list(table.columns),
+        "rows": [list(row) for row in table.rows],
+        "notes": list(table.notes),
+    }
 
 
 def _help_on_benchmarks() -> str:

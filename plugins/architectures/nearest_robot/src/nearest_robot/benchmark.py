@@ -33,7 +33,7 @@ def allocators_benchmark(clock: Callable[[], float] = time.perf_counter) -> Benc
     return Benchmark(
         "total cost and time of the allocators nearest and optimal on random instances",
         _add_arguments,
-        lambda options: _measure(options, clock),
+        lambda options, _laboratory: _measure(options, clock),
     )
 
 

@@ -109,7 +109,7 @@ def mrta_register_verbs() -> Mapping[str, Any]:
 
 @hookimpl
 def mrta_register_benchmarks() -> Mapping[str, Any]:
-    def measure(options: Any) -> BenchmarkTable:
+    def measure(options: Any, laboratory: Any) -> BenchmarkTable:
         return BenchmarkTable("Digging", ("depth [m]", "worms"), ((options.depth, 3),), ("Worms may vary.",))
 
     return {"burrowing": Benchmark("dig", lambda parser: parser.add_argument("--depth", type=float), measure)}
