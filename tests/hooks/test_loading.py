@@ -69,6 +69,16 @@ def test_load_plugins_imports_in_order_from_the_packages_source_folders(plugin: 
     assert sys.path[-2:] == [str(entry.folder / "src") for entry in registrations]
 
 
+def test_a_plugin_imports_the_package_of_one_that_comes_later(plugin: Callable[..., Registration]) -> None:
+    borrowing = plugin("yard_p", "from yard_q.plugin import more\nfrom yard_r.plugin import mrta_register_agents")
+    lenders = [plugin(name, GOOD % (name, name)) for name in ("yard_q", "yard_r")]
+    manager = PluginManager()
+
+    assert load_plugins([borrowing, *lenders], manager) == ()
+
+    assert list(manager.registered("mrta_register_agents")) == ["yard_r", "yard_q"]
+
+
 def test_load_plugin_appends_the_source_folder_once(plugin: Callable[..., Registration]) -> None:
     registration = plugin("yard_c", GOOD % ("c", "c"))
     load_plugin(registration, PluginManager())
