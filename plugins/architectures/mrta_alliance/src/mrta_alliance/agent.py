@@ -77,6 +77,23 @@ class AllianceAgent:
         """Count announcements that would have harmed an original node, by kind and sender."""
         return self._communication.hazards
 
+    @property
+    def behaviour_sets(self) -> Mapping[str, BehaviourSetParameters]:
+        """Give the present parameters of the behaviour sets, newcomers included, by task, in the order of evaluation."""
+        return {task: each.parameters for task, each in self._sets.items()}
+
+    def retune(self, parameters: BehaviourSetParameters) -> None:
+        """Give a behaviour set other parameters from the next cycle on; its motivation stays.
+
+        Architectures that learn do so. Sensors, evaluator and head start stay those that it was made with.
+
+        Args:
+            parameters: for a task that there is a behaviour set for.
+        """
+        task = parameters.task_id
+        self._sets[task].parameters = parameters
+        self._communication.follow(task, parameters.threshold / parameters.fast_rate)
+
     def subscriptions(self) -> Sequence[Subscription]:
         """Say what to hear: the others' announcements and the robot's own sensors."""
         return [COMMUNICATION, *self._sensing.subscriptions()]

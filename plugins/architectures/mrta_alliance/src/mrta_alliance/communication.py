@@ -80,7 +80,7 @@ class Communication:
         return dict(self._hazards)
 
     def follow(self, task: str, patience_limit: float) -> None:
-        """Remember from now on who announces a task of this robot.
+        """Remember from now on who announces a task of this robot; told again, only the limit changes.
 
         Args:
             task: its id.
@@ -88,7 +88,7 @@ class Communication:
                 theta / delta_fast [s].
         """
         self._limits[task] = patience_limit
-        self._peers[task] = {}
+        self._peers.setdefault(task, {})
 
     def take_in(self, messages: Iterable[Heard], now: float) -> None:
         """Remember what came since the cycle before.
