@@ -79,7 +79,7 @@ class AllianceAgent:
 
     @property
     def behaviour_sets(self) -> Mapping[str, BehaviourSetParameters]:
-        """Give the present parameters of the behaviour sets, newcomers included, by task, in the order of evaluation."""
+        """Give the present parameters of behaviour sets, newcomers included, by task, in the order of evaluation."""
         return {task: each.parameters for task, each in self._sets.items()}
 
     def retune(self, parameters: BehaviourSetParameters) -> None:
