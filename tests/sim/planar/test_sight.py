@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rqt_mrta_py.hooks import Body, PlacedRobot, WorldSetup
-from rqt_mrta_py.model import Arena, Obstacle, Pose
+from rqt_mrta_py.model import Arena, Obstacle, Pose, Twist
 from rqt_mrta_py.sim.planar import PlanarWorld, sight
 from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
 from tests.sim.planar import polygons
@@ -121,3 +121,22 @@ def test_robot_looks_along_a_face_that_it_stands_in_line_with():
     world.reset(setup(Pose(0.0, 0.1), Pose(0.0, -0.5), obstacles=[side]))
     assert world.ranges(["r0"], np.zeros(1), 4.0)[0, 0] == pytest.approx(0.75)
     assert world.ranges(["r1"], np.zeros(1), 4.0)[0, 0] == pytest.approx(3.0)
+
+
+def test_robots_that_have_moved_see_what_they_would_if_they_had_begun_there():
+    """Which things may be seen is kept in mind from step to step."""
+    random = np.random.default_rng(3)
+    bearings = np.linspace(-math.pi, math.pi, 36, endpoint=False)
+    box = Obstacle("box", Pose(0.1, 0.2, 0.4), (0.5, 0.4, 0.4))
+    starts = [Pose(0.8 * (i % 6) - 2.1, 0.8 * (i // 6) - 1.5, 1.1 * i % 6.0 - 3.0) for i in range(24)]
+    robots = [f"r{index}" for index in range(24)]
+    world, anew = PlanarWorld(), PlanarWorld()
+    world.reset(setup(*starts, obstacles=[box], arena=ARENA))
+    for _ in range(80):
+        for robot in robots:
+            world.command(robot, "base", Twist(random.uniform(0.0, 0.5), 0.0, random.uniform(-1.0, 1.0)))
+        world.step()
+        moved = [Pose(*pose) for pose in world.poses().tolist()]
+        anew.reset(setup(*moved, obstacles=[box], arena=ARENA))
+        some = robots[:: random.integers(1, 3)]
+        np.testing.assert_array_equal(world.ranges(some, bearings, 0.9), anew.ranges(some, bearings, 0.9))

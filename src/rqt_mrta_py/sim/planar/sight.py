@@ -6,24 +6,31 @@ angle, so of all rays only those that go its way are tried.
 
 from __future__ import annotations
 
-from typing import NamedTuple, Optional, Sequence, Tuple
+from typing import Dict, NamedTuple, Sequence, Tuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rqt_mrta_py.model import Arena
-from rqt_mrta_py.sim.planar.cells import Cells, Floats, Rows, counting
+from rqt_mrta_py.sim.planar.cells import Floats, Rows
 from rqt_mrta_py.sim.planar.crowd import Crowd
+from rqt_mrta_py.sim.planar.fan import Fan
 from rqt_mrta_py.sim.planar.footprints import Placed
+from rqt_mrta_py.sim.planar.nearby import Nearby
+from rqt_mrta_py.sim.planar.visible import Visible
 
 __all__ = ["Sight"]
 
 _FULL_TURN = 2 * np.pi
-_BARELY = 1e-9
-"""By how much an angle may be off by rounding [rad]."""
 _AT_ONCE = 4_000_000
 """Rays, and pairs of a robot and a thing, looked at together, which bounds the memory."""
+_MOST_FANS = 16
 _PARALLEL = 1e-300
 """Stands for no component across a face, so that dividing by it gives a huge number and not none."""
+_TOWARDS_WALLS: Floats = np.array([np.pi, 0.0, -np.pi / 2, np.pi / 2])
+"""Directions to the walls at the least x, the greatest x, the least y and the greatest y, frame ``map`` [rad]."""
+_SIGNS: Floats = np.array([-1.0, 1.0, -1.0, 1.0])
+"""Of the coordinates that grow towards them."""
 
 
 class Sight:
@@ -40,13 +47,13 @@ class Sight:
         self._crowd = crowd
         self._heights: Floats = np.array(sensor_heights, dtype=np.float64)
         self._arena = arena
-        self._obstacles = _Things(obstacles)
-        self._crowd_now: Optional[_Things] = None
-        self._lineup = -1
+        self._visible = Visible(crowd, obstacles)
+        self._nearby = Nearby(self._visible, self._heights)
+        self._fans: Dict[bytes, Fan] = {}
 
     def forget(self) -> None:
         """Look anew where everything is, for things have moved."""
-        self._crowd_now = None
+        self._visible.forget()
 
     def ranges(self, rows: Rows, bearings: Floats, max_range: float) -> Floats:
         """Measure distances from robots.
@@ -59,174 +66,151 @@ class Sight:
         Returns:
             Distances [m], shape (rows, rays); infinity where nothing is seen.
         """
-        crowd = self._crowd
-        if self._crowd_now is None or self._lineup != crowd.lineup:
-            self._crowd_now, self._lineup = _Things(crowd.placed()), crowd.lineup
         seen = np.full((rows.size, bearings.size), np.inf)
         if not bearings.size:
             return seen
-        things = self._obstacles.count + self._crowd_now.count
-        at_once = max(1, _AT_ONCE // (things + bearings.size))
+        self._visible.look_again()
+        fan = self._fan(bearings)
+        at_once = max(1, _AT_ONCE // (self._visible.poses.shape[1] + bearings.size))
         for first in range(0, rows.size, at_once):
-            some, nearest = rows[first : first + at_once], seen[first : first + at_once]
-            rays = _Rays(crowd.poses[:, some], self._heights[some], bearings, max_range)
-            self._look_at_walls(rays, nearest)
-            self._obstacles.look(rays, None, nearest)
-            self._crowd_now.look(rays, some, nearest)
-        seen[~(seen <= max_range)] = np.inf
+            some, nearest = rows[first : first + at_once], seen[first : first + at_once].reshape(-1)
+            rays = _Rays(self._crowd.poses[:, some], fan, max_range)
+            self._look_at_walls(rays, self._heights[some], nearest)
+            self._look_at_things(rays, some, nearest)
         return seen
 
-    def _look_at_walls(self, rays: _Rays, seen: Floats) -> None:
+    def _fan(self, bearings: Floats) -> Fan:
+        key = bearings.tobytes()
+        if key not in self._fans:
+            if len(self._fans) >= _MOST_FANS:
+                self._fans.clear()
+            self._fans[key] = Fan(bearings.copy())
+        return self._fans[key]
+
+    def _look_at_walls(self, rays: _Rays, heights: Floats, seen: Floats) -> None:
         """Measure to the inner faces of the walls, not over their tops."""
         arena = self._arena
-        room = np.minimum(
-            np.minimum(rays.x - arena.min_x, arena.max_x - rays.x),
-            np.minimum(rays.y - arena.min_y, arena.max_y - rays.y),
-        )
-        near = np.flatnonzero((room <= rays.max_range) & (rays.heights <= arena.wall_height))
-        directions = rays.directions[near]
-        far = np.full(directions.shape, np.inf)
-        for place, ahead, low, high in (
-            (rays.x[near], np.cos(directions), arena.min_x, arena.max_x),
-            (rays.y[near], np.sin(directions), arena.min_y, arena.max_y),
-        ):
-            ahead[ahead == 0.0] = _PARALLEL
-            face = np.where(ahead > 0.0, (high - place)[:, None], (low - place)[:, None])
-            with np.errstate(over="ignore"):
-                np.minimum(far, face / ahead, out=far)
-        seen[near] = far
+        rooms = np.array((rays.x - arena.min_x, arena.max_x - rays.x, rays.y - arena.min_y, arena.max_y - rays.y))
+        wall, robot = np.nonzero((rooms <= rays.max_range) & (heights <= arena.wall_height))
+        room = rooms[wall, robot]
+        half_angle = np.arccos(np.maximum(room, 0.0) / rays.max_range)
+        which, cell, direction = rays.towards(robot, _TOWARDS_WALLS.take(wall), half_angle)
+        wall, room = wall.take(which), room.take(which)
+        # The walls come in their order: first those across x, then those across y.
+        along_y = int(np.searchsorted(wall, 2))
+        ahead = np.concatenate((np.cos(direction[:along_y]), np.sin(direction[along_y:]))) * _SIGNS.take(wall)
+        with np.errstate(over="ignore"):
+            rays.see(seen, cell, np.divide(room, ahead, out=np.full_like(room, np.inf), where=ahead > 0.0))
+
+    def _look_at_things(self, rays: _Rays, rows: Rows, seen: Floats) -> None:
+        """Measure to obstacles, robots and loose bodies."""
+        visible, pairs = self._visible, self._nearby.pairs(rows, rays.max_range)
+        x = visible.poses[0].take(pairs.thing) - rays.x.take(pairs.robot)
+        y = visible.poses[1].take(pairs.thing) - rays.y.take(pairs.robot)
+        squared = x * x + y * y
+        near = np.flatnonzero(squared <= pairs.reach_squared)
+        x, y, radius, thing = x.take(near), y.take(near), pairs.radius.take(near), pairs.thing.take(near)
+        distance = np.sqrt(squared.take(near))
+        half_angle = np.arcsin(radius / np.maximum(distance, radius))
+        half_angle[distance <= radius] = np.pi
+        which, cell, direction = rays.towards(pairs.robot.take(near), np.arctan2(y, x), half_angle)
+        tries = _Tries(thing.take(which), x.take(which), y.take(which), direction)
+        rounding = visible.shapes.rounding
+        if not rounding.any():
+            rays.see(seen, cell, _to_boxes(visible, tries))
+            return
+        is_disc = rounding.take(tries.thing) > 0.0
+        for chosen, measure in ((~is_disc, _to_boxes), (is_disc, _to_discs)):
+            rays.see(seen, cell[chosen], measure(visible, tries.some(chosen)))
 
 
 class _Rays:
-    """Rays of robots, sorted by bearing so that those into a range of bearings lie side by side.
+    """Rays of robots.
 
     Attributes:
         x, y: where they begin [m], shape (robots,).
-        yaw: headings of the robots [rad], shape (robots,).
-        heights: of the rays [m], shape (robots,).
-        directions: [rad] in the frame ``map``, shape (robots, rays).
         max_range: how far they go [m].
-        count: of each robot.
     """
 
-    def __init__(self, poses: Floats, heights: Floats, bearings: Floats, max_range: float) -> None:
-        self.x, self.y, self.yaw = poses
-        self.heights = heights
-        self.directions: Floats = self.yaw[:, None] + bearings
+    def __init__(self, poses: Floats, fan: Fan, max_range: float) -> None:
+        self.x, self.y, self._yaw = poses
+        self._heading = self._yaw - _FULL_TURN * np.rint(self._yaw / _FULL_TURN)
+        self._fan = fan
         self.max_range = max_range
-        self.count = bearings.size
-        turns = np.mod(bearings, _FULL_TURN)
-        self._order: Rows = np.argsort(turns, kind="stable")
-        sorted_turns = turns[self._order]
-        self._twice = np.concatenate((sorted_turns, sorted_turns + _FULL_TURN))
 
-    def towards(self, bearing: Floats, half_angle: Floats) -> Tuple[Rows, Rows]:
-        """Find the rays that go into ranges of bearings.
+    def towards(self, robot: Rows, way: Floats, half_angle: Floats) -> Tuple[Rows, Rows, Floats]:
+        """Find the rays that go some way from robots.
 
         Args:
-            bearing: the middle of each [rad], shape (ranges,).
-            half_angle: from its middle to its ends, up to pi [rad], shape (ranges,).
+            robot: their rows, shape (ways,).
+            way: direction in the frame ``map``, from -pi to pi [rad], shape (ways,).
+            half_angle: how far beside it rays go at most, up to pi [rad], shape (ways,).
 
         Returns:
-            Rows of ranges and of rays, by range.
+            For each ray the row of the way, its cell among the rays of all robots, robot by robot, and its direction
+            in the frame ``map`` [rad].
         """
-        low = np.mod(bearing - half_angle - _BARELY, _FULL_TURN)
-        begins = np.searchsorted(self._twice, low)
-        counts = np.searchsorted(self._twice, low + (2 * half_angle + 2 * _BARELY), side="right") - begins
-        counts = np.minimum(counts, self._order.size)
-        which = np.repeat(begins, counts) + counting(counts)
-        return np.repeat(np.arange(counts.size), counts), self._order[which % self._order.size]
+        fan = self._fan
+        which, ray = fan.towards(way - self._heading.take(robot), half_angle)
+        robot = robot.take(which)
+        return which, robot * fan.bearings.size + ray, self._yaw.take(robot) + fan.bearings.take(ray)
+
+    def see(self, seen: Floats, cell: Rows, distance: Floats) -> None:
+        """Shorten what is seen along rays to distances, as far as they go [m]."""
+        near = np.flatnonzero(distance <= self.max_range)
+        np.minimum.at(seen, cell.take(near), distance.take(near))
 
 
 class _Tries(NamedTuple):
     """Rays that go the way of a thing, one an element of every array.
 
     Attributes:
-        cell: of the ray, among those of all robots, robot by robot.
-        thing: its row.
+        thing: its column in ``Visible``.
         x, y: of its centre from where the ray begins [m].
         direction: of the ray in the frame ``map`` [rad].
     """
 
-    cell: Rows
     thing: Rows
     x: Floats
     y: Floats
     direction: Floats
 
+    def some(self, chosen: NDArray[np.bool_]) -> _Tries:
+        """Give those that are chosen."""
+        return _Tries(self.thing[chosen], self.x[chosen], self.y[chosen], self.direction[chosen])
 
-class _Things:
-    """Things that can be seen, where they are now.
 
-    Attributes:
-        count: how many.
+def _to_boxes(visible: Visible, tries: _Tries) -> Floats:
+    """Measure along rays to boxes; infinity for a miss [m]."""
+    thing, x, y, direction = tries
+    cos, sin = visible.cos.take(thing), visible.sin.take(thing)
+    turned = direction - visible.poses[2].take(thing)
+    with np.errstate(over="ignore"):
+        enters_x, leaves_x = _between(cos * x + sin * y, visible.shapes.half_size[0].take(thing), np.cos(turned))
+        enters_y, leaves_y = _between(cos * y - sin * x, visible.shapes.half_size[1].take(thing), np.sin(turned))
+    enters, leaves = np.maximum(enters_x, enters_y), np.minimum(leaves_x, leaves_y)
+    return np.where((enters <= leaves) & (enters >= 0.0), enters, np.inf)
+
+
+def _between(centre: Floats, half_size: Floats, ahead: Floats) -> Tuple[Floats, Floats]:
+    """Measure along rays to where they come between two faces and leave from between them [m].
+
+    Args:
+        centre: of what is between the faces, across them [m].
+        half_size: from there to either [m].
+        ahead: components of unit vectors along the rays, across the faces.
     """
+    ahead[ahead == 0.0] = _PARALLEL
+    # Where a ray goes from the side of the lower coordinates to the higher, it enters by the lower face.
+    half_size = np.copysign(half_size, ahead)
+    return (centre - half_size) / ahead, (centre + half_size) / ahead
 
-    def __init__(self, placed: Placed) -> None:
-        self._footprints, self._poses, _ = placed
-        self._headings: Floats = np.array((np.cos(self._poses[2]), np.sin(self._poses[2])))
-        self._is_disc = self._footprints.rounding > 0.0
-        self._cells = Cells(self._poses[0], self._poses[1])
-        self.count = self._poses.shape[1]
 
-    def look(self, rays: _Rays, own: Optional[Rows], seen: Floats) -> None:
-        """Shorten distances to those of things that are nearer.
-
-        Args:
-            rays: to follow.
-            own: for each robot, which of the things it is itself; None if they are none of them.
-            seen: distances, changed in place [m], shape (robots, rays).
-        """
-        shapes, poses = self._footprints, self._poses
-        robot, thing = self._cells.near(rays.x, rays.y, rays.max_range + shapes.widest)
-        x, y = poses[0][thing] - rays.x[robot], poses[1][thing] - rays.y[robot]
-        reach_squared = (rays.max_range + shapes.radius) ** 2
-        near = np.flatnonzero(x * x + y * y <= reach_squared[thing])
-        robot, thing = robot[near], thing[near]
-        height = rays.heights[robot]
-        is_level = (shapes.low[thing] <= height) & (height <= shapes.high[thing])
-        if own is not None:
-            is_level &= own[robot] != thing
-        level = np.flatnonzero(is_level)
-        robot, thing, near = robot[level], thing[level], near[level]
-        x, y = x[near], y[near]
-        bearing = np.arctan2(y, x) - rays.yaw[robot]
-        distance, radius = np.hypot(x, y), shapes.radius[thing]
-        is_beside = distance > radius
-        half_angle = np.where(is_beside, np.arcsin(radius / np.where(is_beside, distance, radius)), np.pi)
-        pair, ray = rays.towards(bearing, half_angle)
-        robot, thing, x, y = robot[pair], thing[pair], x[pair], y[pair]
-        cell = robot * rays.count + ray
-        tries = _Tries(cell, thing, x, y, rays.directions.reshape(-1)[cell])
-        nearest = seen.reshape(-1)
-        if not self._is_disc.any():
-            np.minimum.at(nearest, cell, self._to_boxes(tries))
-            return
-        is_disc = self._is_disc[thing]
-        for chosen, measure in ((~is_disc, self._to_boxes), (is_disc, self._to_discs)):
-            some = _Tries(cell[chosen], thing[chosen], x[chosen], y[chosen], tries.direction[chosen])
-            np.minimum.at(nearest, some.cell, measure(some))
-
-    def _to_boxes(self, tries: _Tries) -> Floats:
-        """Measure along rays to boxes; infinity for a miss [m]."""
-        _, thing, x, y, direction = tries
-        cos, sin = self._headings[:, thing]
-        centre = np.array((cos * x + sin * y, cos * y - sin * x))
-        turned = direction - self._poses[2, thing]
-        ahead = np.array((np.cos(turned), np.sin(turned)))
-        ahead[ahead == 0.0] = _PARALLEL
-        # Where a ray goes from the side of the lower coordinates to the higher, it enters by the lower face.
-        ahead_half = np.copysign(self._footprints.half_size[:, thing], ahead)
-        with np.errstate(over="ignore"):
-            enters = np.maximum(*((centre - ahead_half) / ahead))
-            leaves = np.minimum(*((centre + ahead_half) / ahead))
-        return np.where((enters <= leaves) & (enters >= 0.0), enters, np.inf)
-
-    def _to_discs(self, tries: _Tries) -> Floats:
-        """Measure along rays to discs; infinity for a miss [m]."""
-        _, thing, x, y, direction = tries
-        cos, sin, radius = np.cos(direction), np.sin(direction), self._footprints.rounding[thing]
-        along, across = cos * x + sin * y, cos * y - sin * x
-        half_chord_squared = radius * radius - across * across
-        enters = along - np.sqrt(np.maximum(half_chord_squared, 0.0))
-        return np.where((half_chord_squared >= 0.0) & (enters >= 0.0), enters, np.inf)
+def _to_discs(visible: Visible, tries: _Tries) -> Floats:
+    """Measure along rays to discs; infinity for a miss [m]."""
+    thing, x, y, direction = tries
+    cos, sin, radius = np.cos(direction), np.sin(direction), visible.shapes.rounding.take(thing)
+    along, across = cos * x + sin * y, cos * y - sin * x
+    half_chord_squared = radius * radius - across * across
+    enters = along - np.sqrt(np.maximum(half_chord_squared, 0.0))
+    return np.where((half_chord_squared >= 0.0) & (enters >= 0.0), enters, np.inf)
