@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import Callable, Optional, Protocol, Sequence, Tuple
+from typing import Callable, ClassVar, Optional, Protocol, Sequence, Tuple
 
 from rqt_mrta_py.hooks.stream import Heard, Subscription
 from rqt_mrta_py.model import Mission, MissionRecord
@@ -35,8 +35,11 @@ class Line:
         y: as many; a NaN breaks the line.
         low, high: ends of the intervals around ``y``, as many; None for none.
         style: how points are joined.
-        colour: an index into the palette that all pictures share; None: the next one.
+        colour: an index into the palette that all pictures share, whose first is blue; ``Line.REFERENCE``, which is
+            red, for thresholds and whatever else values are held against; None: the next one.
     """
+
+    REFERENCE: ClassVar[int] = -1
 
     label: str
     x: Tuple[float, ...]
