@@ -6,10 +6,11 @@
   ``tasks``, ``events``, ``timeline`` and ``marks``, ``curves`` and ``curve_axes``; ``page`` is what they are drawn
   from, ``layers`` draw again only what looks different
 * ``dashboard``: the whole; its parts are in ``charts``
+* ``figures``: charts that missions and benchmarks leave
 * ``layout``, ``canvas``, ``text``, ``labels``, ``signs``, ``stamps``, ``palette``, ``times``, ``spells``,
   ``foremost``: what parts are drawn with
 * ``markers``: the scene for RViz and its like
-* ``encode``, ``film``: PNG and JPEG, as bytes and as files; films
+* ``encode``, ``jpeg_series``, ``film``: PNG and JPEG, as bytes and as files; pictures one after another; films
 * ``libraries``: the doors to the drawing libraries
 * ``plugin``: registers the pictures
 """
@@ -19,6 +20,7 @@ from __future__ import annotations
 from rqt_mrta_py.render.dashboard import draw_dashboard
 from rqt_mrta_py.render.encode import jpeg, png, write_picture
 from rqt_mrta_py.render.film import FilmWriter
+from rqt_mrta_py.render.jpeg_series import JpegSeries
 from rqt_mrta_py.render.markers import MARKERS_TOPIC, team_markers
 from rqt_mrta_py.render.monitor import MonitorRenderer, draw_monitor
 from rqt_mrta_py.render.scene import SceneTracker
@@ -26,6 +28,7 @@ from rqt_mrta_py.render.scene import SceneTracker
 __all__ = [
     "MARKERS_TOPIC",
     "FilmWriter",
+    "JpegSeries",
     "MonitorRenderer",
     "SceneTracker",
     "draw_dashboard",

@@ -38,12 +38,13 @@ def png(image: NDArray[np.uint8]) -> bytes:
     return _encode(".png", image, options)
 
 
-def jpeg(image: NDArray[np.uint8], quality: int = 85) -> bytes:
+def jpeg(image: NDArray[np.uint8], quality: int = 85, restart: int = 0) -> bytes:
     """Encode a picture as JPEG.
 
     Args:
         image: (height, width, 3), blue, green, red.
         quality: from 1, worst, to 100, best.
+        restart: a restart marker, whose coding begins anew, after so many blocks of 16 x 16 pixels; 0 for none.
 
     Returns:
         The file's bytes; equal for equal pictures.
@@ -54,7 +55,8 @@ def jpeg(image: NDArray[np.uint8], quality: int = 85) -> bytes:
     """
     if not 1 <= quality <= 100:
         raise ValueError(f"the quality of a JPEG is between 1 and 100 (got {quality})")
-    return _encode(".jpg", image, [opencv().IMWRITE_JPEG_QUALITY, quality])
+    cv2 = opencv()
+    return _encode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, quality, cv2.IMWRITE_JPEG_RST_INTERVAL, restart])
 
 
 def write_picture(path: Path, image: NDArray[np.uint8]) -> None:

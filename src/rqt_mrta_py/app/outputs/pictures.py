@@ -8,7 +8,7 @@ from typing import Deque, List, Optional, Tuple
 
 from rqt_mrta_py.app.outputs.picture_files import PictureFiles
 from rqt_mrta_py.hooks import MonitorView, Outgoing, Renderer
-from rqt_mrta_py.render import jpeg
+from rqt_mrta_py.render import JpegSeries
 
 __all__ = ["PICTURE_TOPIC", "PictureSchedule", "period_in_ticks"]
 
@@ -32,6 +32,7 @@ class PictureSchedule:
         self._rate = rate
         self._files = files
         self._waiting: Deque[Tuple[int, float, Future[bytes]]] = deque()
+        self._jpeg = JpegSeries()
         self._encoding = ThreadPoolExecutor(1, "mrta-encoding")
 
     def due(self, tick: int) -> bool:
@@ -46,7 +47,7 @@ class PictureSchedule:
             view: what to draw.
         """
         image = self._renderer(view)
-        self._waiting.append((tick + self._period, view.now, self._encoding.submit(jpeg, image)))
+        self._waiting.append((tick + self._period, view.now, self._encoding.submit(self._jpeg, image)))
         if self._files is not None:
             self._files.add(tick / self._rate, image)
 
