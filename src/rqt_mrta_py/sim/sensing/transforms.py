@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Sequence, Tuple
 
 import numpy as np
 
@@ -37,6 +37,8 @@ _POSE = (
 """What a geometry_msgs/Pose is made of: the rows of arrays of poses."""
 _TRANSFORM_PARTS = {"position": "translation", "orientation": "rotation"}
 """Names of the same in a geometry_msgs/Transform."""
+_MOST_TEAMS = 64
+"""Teams that speak together, whose rows are kept in mind."""
 
 
 class Transforms:
@@ -54,6 +56,7 @@ class Transforms:
         self._odom_frames = tuple([f"{robot}/odom" for robot in robots])
         self._base_frames = tuple([f"{robot}/base_link" for robot in robots])
         self._places = {robot: place for place, robot in enumerate(robots)}
+        self._rows_of: Dict[Tuple[str, ...], _Rows] = {}
         self._poses: Dict[str, _Floats] = {type_name: np.zeros((len(_POSE), len(robots))) for type_name in _POSE_IN}
         self._is_new = {type_name: np.zeros(len(robots), dtype=bool) for type_name in _POSE_IN}
         self._is_counted = np.zeros(len(robots), dtype=bool)
@@ -108,9 +111,8 @@ class Transforms:
                 values = [_inner(pose, part).get(name, 0.0) for part, name in _POSE]
                 self._take(message.type, message.topic, (said.robot,), values)
 
-    def _take(self, type_name: str, topic: str, robots: Sequence[str], values: Sequence[Column]) -> None:
-        rows = [self._places[robot] for robot in robots]
-        poses = self._poses[type_name]
+    def _take(self, type_name: str, topic: str, robots: Tuple[str, ...], values: Sequence[Column]) -> None:
+        rows, poses = self._rows(robots), self._poses[type_name]
         for row, (part, name), value in zip(poses, _POSE, values):
             try:
                 row[rows] = value
@@ -121,6 +123,15 @@ class Transforms:
                     f"(got {shown(value)})"
                 ) from None
         self._is_new[type_name][rows] = True
+
+    def _rows(self, robots: Tuple[str, ...]) -> _Rows:
+        """Find the rows of robots, which mostly speak with the same others again."""
+        rows = self._rows_of.get(robots)
+        if rows is None:
+            if len(self._rows_of) >= _MOST_TEAMS:
+                self._rows_of.clear()
+            rows = self._rows_of[robots] = np.array([self._places[robot] for robot in robots], dtype=np.intp)
+        return rows
 
     def _place(self, rows: _Rows) -> None:
         """Find where odometry began, of robots that were located now."""
