@@ -14,13 +14,14 @@ from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.mission_message import MISSION_TOPIC, MISSION_TYPE, mission_from_fields
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs.exports import exporters_for, write_exports
+from rqt_mrta_py.app.outputs.figures import figure_makers_for, figures_of, write_figures
 from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.app.outputs.picture_files import PictureFiles, check_film, open_film
 from rqt_mrta_py.app.outputs.pictures import period_in_ticks
 from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch, write_results
 from rqt_mrta_py.config import load_mission, load_observed
 from rqt_mrta_py.errors import TransportError, UsageError
-from rqt_mrta_py.hooks import Codec, Renderer, Stamped
+from rqt_mrta_py.hooks import Codec, Listener, Renderer, Stamped
 from rqt_mrta_py.model import Mission
 from rqt_mrta_py.transport import read_bag, read_bag_info
 
@@ -42,6 +43,7 @@ class ReviewRequest:
         pictures: seconds of mission time between pictures, 0 for none; None for the scenario's, else 1 [s].
         video: make a film of the pictures.
         exports: names of exporters whose files are wanted.
+        figures: names of makers whose figures are wanted.
     """
 
     bag: Path
@@ -52,6 +54,7 @@ class ReviewRequest:
     pictures: Optional[float] = None
     video: bool = False
     exports: Tuple[str, ...] = ()
+    figures: Tuple[str, ...] = ()
 
 
 def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, float], None]) -> MissionResult:
@@ -79,9 +82,11 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
     length = ((info.end_ns or 0) - start_ns) / _NS
     check_film(request.video, period)
     exporters = exporters_for(mission, request.exports, host.manager)
+    makers = figure_makers_for(mission, request.figures, host.manager)
+    further: Tuple[Listener, ...] = (*exporters.values(), *makers.values())
     patience = host.manager.patience
     with patience.at_work("the making of the review"):
-        observation = Observation(mission, codec, host.manager, duration or length, tuple(exporters.values()))
+        observation = Observation(mission, codec, host.manager, duration or length, further)
     with Interrupt() as interrupt, ExitStack() as stack:
         folder = OutputFolder.create(request.out, f"{request.bag.stem}-review", request.force)
         path = folder.monitor(wanted=period > 0)
@@ -105,6 +110,8 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
         with patience.at_work("the end of the review"):
             results = write_results(folder, observation, host.renderer("dashboard") if pictures else None)
             write_exports(folder, exporters, results.record)
+            figures = figures_of(makers, results.record)
+        write_figures(folder, figures)
         return stopwatch.result(folder, results, interrupt)
 
 

@@ -50,7 +50,7 @@ class Benchmark:
 
     Attributes:
         help: one line, as ``mrta bench --help`` shows it.
-        add_arguments: says what it takes; ``--json`` and ``--out`` are there already.
+        add_arguments: says what it takes; ``--json``, ``--out`` and ``--force`` are there already.
         measure: does it, with a laboratory at hand for simulated missions.
     """
 

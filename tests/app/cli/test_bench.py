@@ -11,7 +11,7 @@ import pytest
 from tests.app.cli.conftest import Command
 
 BENCHMARK = """
-from rqt_mrta_py.hooks import Benchmark, BenchmarkTable, hookimpl
+from rqt_mrta_py.hooks import Benchmark, BenchmarkReport, BenchmarkTable, Chart, Figure, Line, hookimpl
 
 
 def add_arguments(parser):
@@ -29,6 +29,11 @@ def mrta_register_benchmarks():
 TABLE = (
     "BenchmarkTable('Laps', ('robot', 'speed [m/s]', 'laps'),"
     " (('mole', 1 / 3, options.robots), ('hare', None, 12345678)), ('Higher is better.',))"
+)
+LINE = "Line('mole', (0.0, 1.0), (2.0, 1.0))"
+REPORT = (
+    f"BenchmarkReport(({TABLE}, BenchmarkTable('Falls', ('robot',), (('a|b',),))),"
+    f" (Figure('laps_over_time', 'Laps', 'time [h]', (Chart(({LINE},), 'laps [1]'),)),))"
 )
 
 
@@ -77,7 +82,39 @@ def test_bench_gives_the_table_as_json(command: Command, stranger: Path, argumen
         "benchmark": "laps",
         **table,
         "tables": [table],
+        "figures": [],
     }
+
+
+def test_bench_prints_all_tables_of_a_report(command: Command, stranger: Path) -> None:
+    stranger.write_text(benchmark(REPORT))
+
+    assert command("bench", "laps").out.endswith("\nHigher is better.\n\n\nFalls\n\nrobot\na|b\n")
+    document = json.loads(command("bench", "laps", "--json").out)
+    assert [table["title"] for table in document["tables"]] == ["Laps", "Falls"]
+    assert (document["title"], document["figures"]) == ("Laps", ["laps_over_time"])
+
+
+def test_bench_leaves_tables_and_figures_in_the_folder_asked_for(
+    command: Command, stranger: Path, tmp_path: Path
+) -> None:
+    stranger.write_text(benchmark(REPORT))
+    out = tmp_path / "measured"
+
+    assert command("bench", "laps", "--out", str(out)).status == 0
+
+    written = sorted(str(path.relative_to(out)) for path in out.rglob("*") if path.is_file())
+    assert written == ["bench.json", "figures/laps_over_time.png", "tables.md"]
+    assert json.loads((out / "bench.json").read_text()) == json.loads(command("bench", "laps", "--json").out)
+    assert (out / "tables.md").read_text().splitlines() == [
+        *("## Laps", "", "| robot | speed [m/s] | laps |", "| --- | --- | --- |"),
+        *("| mole | 0.3333 | 3 |", "| hare | - | 12345678 |", "", "Higher is better.", ""),
+        *("## Falls", "", "| robot |", "| --- |", "| a\\|b |"),
+    ]
+    refused = command("bench", "laps", "--out", str(out))
+    assert refused.status == 2
+    assert "is not empty" in refused.err
+    assert command("bench", "laps", "--out", str(out), "--force").status == 0
 
 
 def test_help_pages_tell_benchmarks_and_their_arguments(command: Command, stranger: Path) -> None:
@@ -112,6 +149,15 @@ def test_wrong_usage_exits_with_2_and_one_line(
     [
         ("1 / 0", ": ZeroDivisionError: division by zero"),
         ("None", ": returned None; a BenchmarkTable or BenchmarkReport is needed"),
+        ("BenchmarkReport(())", ": returned a report without tables; one at the least is needed"),
+        (
+            REPORT.replace("laps_over_time", "../laps"),
+            ": '../laps' is no name of a figure; letters, digits, '_' and '-' are accepted",
+        ),
+        (
+            REPORT.replace("1.0), (2.0", "1.0), ('x'"),
+            ": figure laps_over_time: line 'mole' has values that are no numbers",
+        ),
         ("BenchmarkTable('t', ('a', 'b'), ((1,),))", ": the row (1,) has 1 cells for 2 columns"),
         (
             "BenchmarkTable('t', ('a',), ((float('nan'),),))",

@@ -6,7 +6,7 @@ import argparse
 import math
 from typing import Any, Dict
 
-from rqt_mrta_py.app.guard import guarded
+from rqt_mrta_py.app.guard import checked_figures, guarded
 from rqt_mrta_py.errors import HookError, UsageError
 from rqt_mrta_py.hooks import Benchmark, BenchmarkReport, BenchmarkTable, Laboratory
 from rqt_mrta_py.hooks.manager import PluginManager
@@ -82,7 +82,7 @@ def measured(manager: PluginManager, name: str, options: argparse.Namespace, lab
         raise HookError(f"{who}: returned a report without tables; one at the least is needed")
     for table in report.tables:
         _check_table(who, table)
-    return report
+    return BenchmarkReport(tuple(report.tables), checked_figures(who, report.figures))
 
 
 def _check_table(who: str, table: object) -> None:

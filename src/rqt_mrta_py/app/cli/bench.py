@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING, Any, Dict
+from pathlib import Path
 
 from rqt_mrta_py.app.cli.common import complain_about, print_json, print_table
 from rqt_mrta_py.app.cli.parser import CommandParser, VerbParser, verbosity
 from rqt_mrta_py.app.cli.stdout import standard_output
 from rqt_mrta_py.errors import MrtaError
-
-if TYPE_CHECKING:
-    from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable
 
 __all__ = ["add_arguments", "main"]
 
@@ -26,10 +23,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(options: argparse.Namespace) -> int:
-    """List benchmarks, or measure one and print its table."""
+    """List benchmarks, or measure one and print its tables."""
     from rqt_mrta_py.app.bench.no_laboratory import NoLaboratory
     from rqt_mrta_py.app.bench.registered import benchmark_named, benchmarks_of, measured, owner_of, prepared
+    from rqt_mrta_py.app.bench.report import cell_text, report_document, write_report
     from rqt_mrta_py.app.compose import compose
+    from rqt_mrta_py.app.outputs.folder import OutputFolder
 
     host = compose()
     complain_about(host.problems)
@@ -45,34 +44,24 @@ def main(options: argparse.Namespace) -> int:
     about = benchmark_named(host.manager, options.name).help
     parser = VerbParser(prog=f"mrta bench {options.name}", description=about, parents=[verbosity()])
     parser.add_argument("--json", action="store_true", default=options.json, help="print as JSON")
+    parser.add_argument("--out", metavar="DIR", type=Path, help="write tables and figures to this folder too")
+    parser.add_argument("--force", action="store_true", help="write into DIR even if it is not empty")
     prepared(host.manager, options.name, parser)
     own = parser.parse_args(options.rest)
+    folder = None if own.out is None else OutputFolder.create(own.out, options.name, own.force)
     report = measured(host.manager, options.name, own, NoLaboratory())
+    if folder is not None:
+        write_report(folder, options.name, report)
     with standard_output():
         if own.json:
-            print_json("bench", _document(options.name, report))
+            print_json("bench", report_document(options.name, report))
         else:
             for number, table in enumerate(report.tables):
                 print(f"{table.title}\n" if number == 0 else f"\n\n{table.title}\n")
-                print_table(table.columns, [[_cell(cell) for cell in row] for row in table.rows])
+                print_table(table.columns, [[cell_text(cell) for cell in row] for row in table.rows])
                 if table.notes:
                     print("", *table.notes, sep="\n")
     return 0
-
-
-def _document(name: str, report: BenchmarkReport) -> Dict[str, Any]:
-    """Write all tables down, the first of them where a benchmark of a single table has it."""
-    tables = [_table_document(table) for table in report.tables]
-    return {"benchmark": name, **tables[0], "tables": tables}
-
-
-def _table_document(table: BenchmarkTable) -> Dict[str, Any]:
-    return {
-        "title": table.title,
-        "columns": list(table.columns),
-        "rows": [list(row) for row in table.rows],
-        "notes": list(table.notes),
-    }
 
 
 def _help_on_benchmarks() -> str:
@@ -86,9 +75,3 @@ def _help_on_benchmarks() -> str:
         return f"\nbenchmarks cannot be told: {error}\n"
     width = max(map(len, known), default=0)
     return "\n".join(["", "benchmarks:", *(f"  {name.ljust(width)}  {each.help}" for name, each in known.items()), ""])
-
-
-def _cell(value: Any) -> str:
-    if value is None:
-        return "-"
-    return f"{value:.4g}" if isinstance(value, float) else str(value)

@@ -8,7 +8,7 @@ import math
 import sys
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional
+from typing import TYPE_CHECKING, Any, Iterable, List, Mapping, Optional
 
 from rqt_mrta_py.app.cli.stdout import standard_output
 from rqt_mrta_py.app.cli.table import print_table
@@ -53,6 +53,14 @@ def _finite(text: str) -> float:
     return number if math.isfinite(number) else math.nan
 
 
+def _names(text: str) -> List[str]:
+    """Read names that commas separate."""
+    names = [name.strip() for name in text.split(",")]
+    if not all(names):
+        raise argparse.ArgumentTypeError(f"{text!r}: names separated by commas are expected")
+    return names
+
+
 def add_output_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of every verb that leaves a folder of outputs."""
     parser.add_argument("--out", metavar="DIR", type=Path, help="folder for the outputs (default: one below runs/)")
@@ -71,6 +79,14 @@ def add_output_arguments(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         help="write the files of an exporter to export/NAME/, for instance csv; may be given several times",
+    )
+    parser.add_argument(
+        "--figures",
+        metavar="NAME[,NAME]",
+        type=_names,
+        action="extend",
+        default=[],
+        help="draw charts of the whole mission to figures/NAME/, for instance alliance; may be given several times",
     )
     parser.add_argument(
         "--fail-on",

@@ -37,6 +37,7 @@ def main(options: argparse.Namespace) -> int:
         pictures=options.pictures,
         video=options.video,
         exports=tuple(options.exports),
+        figures=tuple(options.figures),
     )
     with ProgressLine(options.bag.name, options.quiet) as progress:
         result = review_bag(host, request, progress)

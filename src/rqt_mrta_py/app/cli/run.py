@@ -57,6 +57,7 @@ def main(options: argparse.Namespace) -> int:
         pictures=options.pictures,
         video=options.video,
         exports=tuple(options.exports),
+        figures=tuple(options.figures),
         processes=options.processes,
     )
     with ProgressLine(options.application, options.quiet) as progress:

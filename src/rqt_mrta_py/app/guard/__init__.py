@@ -2,7 +2,7 @@
 
 * ``asking``: asks one part, makes one, hears what it wants to hear
 * ``navigator``, ``allocator``: between agents or behaviours and what they work with
-* ``panel``, ``renderer``, ``exporter``: on the watching side
+* ``panel``, ``renderer``, ``exporter``, ``figure``: on the watching side
 """
 
 from __future__ import annotations
@@ -10,14 +10,17 @@ from __future__ import annotations
 from rqt_mrta_py.app.guard.allocator import guarded_allocators
 from rqt_mrta_py.app.guard.asking import guarded, made, makers, wishes_of
 from rqt_mrta_py.app.guard.exporter import GuardedExporter
+from rqt_mrta_py.app.guard.figure import GuardedFigureMaker, checked_figures
 from rqt_mrta_py.app.guard.navigator import GuardedNavigator
 from rqt_mrta_py.app.guard.panel import GuardedPanel
 from rqt_mrta_py.app.guard.renderer import guarded_renderer
 
 __all__ = [
     "GuardedExporter",
+    "GuardedFigureMaker",
     "GuardedNavigator",
     "GuardedPanel",
+    "checked_figures",
     "guarded",
     "guarded_allocators",
     "guarded_renderer",

@@ -11,6 +11,7 @@ from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs.exports import exporters_for
+from rqt_mrta_py.app.outputs.figures import figure_makers_for
 from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.app.outputs.picture_files import PictureFiles, check_film, open_film
 from rqt_mrta_py.app.outputs.pictures import PictureSchedule, period_in_ticks
@@ -44,6 +45,7 @@ class RunRequest:
         pictures: seconds of mission time between pictures, 0 for none; None for the scenario's [s].
         video: make a film of the pictures.
         exports: names of exporters whose files are wanted.
+        figures: names of makers whose figures are wanted.
         processes: 1 or 2; None: as many as there are cores, 2 at the most.
     """
 
@@ -59,6 +61,7 @@ class RunRequest:
     pictures: Optional[float] = None
     video: bool = False
     exports: Tuple[str, ...] = ()
+    figures: Tuple[str, ...] = ()
     processes: Optional[int] = None
 
 
@@ -83,8 +86,9 @@ def run_mission(host: Host, request: RunRequest, progress: Callable[[float, floa
     check_film(request.video, period)
     codec = host.codec()
     exporters = exporters_for(mission, request.exports, host.manager)
+    figures = figure_makers_for(mission, request.figures, host.manager)
     with host.manager.patience.at_work("the making of the mission"):
-        observation = Observation(mission, codec, host.manager, duration, tuple(exporters.values()))
+        observation = Observation(mission, codec, host.manager, duration, (*exporters.values(), *figures.values()))
         run = EmbeddedRun(mission, duration, codec, host.manager)
     try:
         name = f"{mission.application.package}-seed{request.seed}"
@@ -101,6 +105,7 @@ def run_mission(host: Host, request: RunRequest, progress: Callable[[float, floa
                 dashboard=host.renderer("dashboard") if pictures else None,
                 exporters=exporters,
                 patience=host.manager.patience,
+                figures=figures,
             )
             processes = 1 if run.team_hears_supervisor else request.processes or min(2, _cores())
             with rare_collections(), open_watcher(plan, run.bus, codec, processes) as watcher:

@@ -7,16 +7,17 @@ both write the same bytes.
 from __future__ import annotations
 
 from contextlib import ExitStack, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Iterator, Mapping, Optional, Protocol, Sequence, Tuple
 
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs.exports import write_exports
+from rqt_mrta_py.app.outputs.figures import figures_of, write_figures
 from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.app.outputs.pictures import PICTURE_TOPIC, PictureSchedule
 from rqt_mrta_py.app.outputs.results import Results, write_results
 from rqt_mrta_py.app.run.clock import RunClock
-from rqt_mrta_py.hooks import Exporter, Outgoing, Renderer
+from rqt_mrta_py.hooks import Exporter, FigureMaker, Outgoing, Renderer
 from rqt_mrta_py.hooks.patience import Patience
 from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
 from rqt_mrta_py.transport import BagWriter, Batch, Bus
@@ -73,6 +74,7 @@ class WatchPlan:
         dashboard: draws the mission in one picture; None for none.
         exporters: asked for, by name.
         patience: how long plugins may take.
+        figures: makers of those asked for, by name.
     """
 
     observation: Observation
@@ -84,6 +86,7 @@ class WatchPlan:
     dashboard: Optional[Renderer]
     exporters: Mapping[str, Exporter]
     patience: Patience
+    figures: Mapping[str, FigureMaker] = field(default_factory=dict)
 
 
 class Watch:
@@ -148,7 +151,11 @@ class Watch:
         """Close the bag and write the results."""
         plan = self._plan
         with plan.patience.at_work("the end of the mission"):
-            return self._finish(plan)
+            results = self._finish(plan)
+            figures = figures_of(plan.figures, results.record)
+        # Drawn by us, however many there are: nobody needs patience for it.
+        write_figures(plan.folder, figures)
+        return results
 
     def _finish(self, plan: WatchPlan) -> Results:
         if plan.pictures is not None:
