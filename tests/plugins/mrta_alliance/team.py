@@ -7,7 +7,16 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 import numpy as np
 from mrta_alliance.agent import AllianceAgent
 
-from rqt_mrta_py.hooks import AgentSetup, Decision, Heard, Outgoing, SensoryEvaluatorFactory, Situation, TaskReport
+from rqt_mrta_py.hooks import (
+    AgentSetup,
+    Decision,
+    Heard,
+    Outgoing,
+    RobotSensorFactory,
+    SensoryEvaluatorFactory,
+    Situation,
+    TaskReport,
+)
 from rqt_mrta_py.model import Task
 
 SPIN_RATE = 5.0
@@ -49,9 +58,13 @@ def agent(
     evaluators: Optional[Mapping[str, SensoryEvaluatorFactory]] = None,
     *,
     later: Sequence[str] = (),
+    sensors: Optional[Mapping[str, RobotSensorFactory]] = None,
+    perpetual: bool = False,
 ) -> AllianceAgent:
     """Make an agent."""
-    present, later_tasks = (tuple(Task(task, "anything") for task in each) for each in (tasks, later))
+    present, later_tasks = (
+        tuple(Task(task, "anything", perpetual=perpetual) for task in each) for each in (tasks, later)
+    )
     random = np.random.default_rng(0)
     return AllianceAgent(
         AgentSetup(
@@ -62,6 +75,7 @@ def agent(
             random,
             evaluators or {},
             later_tasks=later_tasks,
+            sensors=sensors or {},
         )
     )
 

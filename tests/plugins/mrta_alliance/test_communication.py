@@ -6,12 +6,13 @@ import logging
 
 import pytest
 from mrta_alliance.communication import Communication, Hazard
+from mrta_alliance.history import History
 
 from tests.plugins.mrta_alliance.team import agent, announced, behaviour_set, motivations, nested, step
 
 
 def memory(horizon: float = 10.0) -> Communication:
-    heard = Communication("one", horizon)
+    heard = Communication("one", lambda: History(horizon))
     for task in ("patrol", "inspect"):
         heard.follow(task, 20.0)
     return heard

@@ -7,6 +7,7 @@ import pytest
 from mrta_alliance.agent import AllianceAgent
 from mrta_alliance.interpreter import AllianceInterpreter
 from mrta_alliance.panel import MotivationPanel
+from mrta_alliance.sensors import AnyMessage, Scan
 
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Task
@@ -20,10 +21,14 @@ def manager() -> PluginManager:
     return made
 
 
-def test_plugin_registers_agent_interpreter_and_panel(manager: PluginManager) -> None:
+def test_plugin_registers_agent_interpreter_panel_and_sensors(manager: PluginManager) -> None:
     assert manager.registered("mrta_register_agents") == {"mrta_alliance": AllianceAgent}
     assert manager.registered("mrta_register_allocation_interpreters") == {"mrta_alliance": AllianceInterpreter}
     assert manager.registered("mrta_register_monitor_panels") == {"rqt_alliance/alliance_plugin": MotivationPanel}
+    assert manager.registered("mrta_register_robot_sensors") == {
+        "mrta_alliance/any_message": AnyMessage,
+        "mrta_alliance/scan": Scan,
+    }
 
 
 @pytest.mark.parametrize(("architecture", "paths"), [("mrta_alliance", ["spin_rate"]), ("another", [])])

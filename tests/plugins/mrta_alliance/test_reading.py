@@ -46,14 +46,14 @@ def test_reading_understands_a_file_of_the_original_nodes() -> None:
     assert read_parameters(yaml.safe_load(ORIGINAL), ["patrol"]) == AllianceParameters(
         behaviour_sets=(
             BehaviourSetParameters(
-                "patrol", 60.0, 30.0, 20.0, 40.0, 1.5, 0.0, evaluator="my_pkg/evaluator", sensors=("ok",)
+                "patrol", 60.0, 30.0, 20.0, 40.0, 1.5, 0.0, 0.0, evaluator="my_pkg/evaluator", sensors=("ok",)
             ),
         ),
         spin_rate=5.0,
         broadcast_rate=2.0,
         timeout_duration=2.0,
         buffer_horizon=10.0,
-        sensors=(SensorParameters("ok", 5.0),),
+        sensors=(SensorParameters("ok", 5.0, 5.0, "my_pkg/bool_sensor"),),
     )
 
 
@@ -94,6 +94,10 @@ INNER = f"{SET}/motivational_behaviour"
         ("sensors/size", -1, "must be a whole number, at least 0 (got -1)"),
         ("sensors/sensor0/topic_name", "", "must name a topic (got nothing)"),
         ("sensors/sensor0/timeout_duration", 0, "must be above 0 s (got 0)"),
+        ("sensors/sensor0/buffer_horizon", -1.0, "must be above 0 s (got -1)"),
+        ("sensors/sensor0/plugin_name", "", "must name a sensor (got nothing)"),
+        ("strict_original", "yes", "must be true or false (got 'yes')"),
+        ("low_level_feedback", 1, "must be true or false (got 1)"),
         ("behaviour_sets/size", True, "must be a whole number, at least 0 (got True)"),
         ("behaviour_sets", 5, "must be a group of parameters (got 5)"),
         (INNER, "calm", "must be a group of parameters (got 'calm')"),
@@ -112,6 +116,7 @@ INNER = f"{SET}/motivational_behaviour"
         (f"{INNER}/acquiescence/giving_up_delay", 0.0, "must be above 0 s (got 0)"),
         (f"{INNER}/impatience/fast_rate", 0.0, "must be above 0 (got 0)"),
         (f"{INNER}/impatience/head_start", -0.1, "must be at least 0 (got -0.1)"),
+        (f"{INNER}/impatience/fairness", -0.1, "must be at least 0 (got -0.1)"),
         (f"{INNER}/sensory_feedback/plugin_name", "", "must name a sensory evaluator (got nothing)"),
         (f"{INNER}/sensory_feedback/plugin_name", 7, "must be a text (got 7)"),
         (
@@ -196,6 +201,7 @@ def test_template_and_dataclasses_agree_on_defaults(root: Path) -> None:
         "yielding_delay": f"{inner}/acquiescence/yielding_delay",
         "giving_up_delay": f"{inner}/acquiescence/giving_up_delay",
         "fast_rate": f"{inner}/impatience/fast_rate",
+        "fairness": f"{inner}/impatience/fairness",
     }
     coded = {
         field.name: field.default for made in (AllianceParameters, BehaviourSetParameters) for field in fields(made)
@@ -203,7 +209,12 @@ def test_template_and_dataclasses_agree_on_defaults(root: Path) -> None:
     assert {name: float(defaults[path]) for name, path in paths.items()} == {name: coded[name] for name in paths}
     assert defaults[f"{inner}/sensory_feedback/plugin_name"] == coded["evaluator"]
     sensor = {field.name: field.default for field in fields(SensorParameters)}
-    assert float(defaults["sensors/sensor@index@/timeout_duration"]) == sensor["timeout_duration"]
+    for name in ("timeout_duration", "buffer_horizon"):
+        assert float(defaults[f"sensors/sensor@index@/{name}"]) == sensor[name]
+    assert defaults["sensors/sensor@index@/plugin_name"] == sensor["plugin_name"]
+    switches = ("strict_original", "low_level_feedback")
+    assert {name: defaults[name] for name in switches} == dict.fromkeys(switches, "false")
+    assert {coded[name] for name in switches} == {False}
     assert (coded["head_start"], defaults[f"{inner}/impatience/head_start"]) == (0.0, "0.5")
 
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 from typing import Any, Dict, List, Sequence
 
 import pytest
+from mrta_alliance.plugin import mrta_register_robot_sensors
 
 from rqt_mrta_py.hooks import Heard, SensorReading, Subscription
 from rqt_mrta_py.model import Task
 from tests.plugins.mrta_alliance.team import agent, behaviour_set, motivations, nested, step
+
+SENSORS = mrta_register_robot_sensors()
 
 
 class AllFresh:
@@ -31,9 +34,9 @@ def parameters() -> Dict[str, Any]:
     }
     sensors = {
         "size": 3,
-        "sensor0": {"plugin_name": "any/sensor", "topic_name": "scan", "timeout_duration": 1.0},
-        "sensor1": {"plugin_name": "any/sensor", "topic_name": "/weather", "timeout_duration": 60.0},
-        "sensor2": {"plugin_name": "any/sensor", "topic_name": "odom", "timeout_duration": 1.0},
+        "sensor0": {"plugin_name": "mrta_alliance/any_message", "topic_name": "scan", "timeout_duration": 1.0},
+        "sensor1": {"plugin_name": "mrta_alliance/any_message", "topic_name": "/weather", "timeout_duration": 60.0},
+        "sensor2": {"plugin_name": "mrta_alliance/any_message", "topic_name": "odom", "timeout_duration": 1.0},
     }
     told = nested(behaviour_set("patrol", sensory_feedback=feedback), behaviour_set("inspect"))
     return {**told, "sensors": sensors}
@@ -44,7 +47,7 @@ def sensed(topic: str, receipt: float) -> Heard:
 
 
 def test_agent_subscribes_announcements_and_its_sensors() -> None:
-    one = agent("one", parameters(), ["patrol", "inspect"], evaluators={"mine/all_fresh": AllFresh})
+    one = agent("one", parameters(), ["patrol", "inspect"], evaluators={"mine/all_fresh": AllFresh}, sensors=SENSORS)
     assert [wish.topic for wish in one.subscriptions()] == [
         "/alliance/inter_robot_communication",
         "scan",
@@ -56,7 +59,7 @@ def test_agent_subscribes_announcements_and_its_sensors() -> None:
 
 def test_set_with_sensors_is_applicable_while_its_evaluator_says_so() -> None:
     """scan is up to date for 1.0 s, /weather for 60 s; both relative to the robot's namespace where not global."""
-    one = agent("one", parameters(), ["patrol", "inspect"], evaluators={"mine/all_fresh": AllFresh})
+    one = agent("one", parameters(), ["patrol", "inspect"], evaluators={"mine/all_fresh": AllFresh}, sensors=SENSORS)
     answers = []
     for now, heard in (
         (1.0, []),
@@ -86,7 +89,7 @@ def test_evaluator_is_shown_its_sensors_in_order() -> None:
         made.append(AllFresh(task))
         return made[-1]
 
-    one = agent("one", parameters(), ["patrol", "inspect"], evaluators={"mine/all_fresh": make})
+    one = agent("one", parameters(), ["patrol", "inspect"], evaluators={"mine/all_fresh": make}, sensors=SENSORS)
     scan = sensed("/one/scan", 0.9)
     step(one, 1.0, [scan])
     (evaluator,) = made
@@ -96,7 +99,7 @@ def test_evaluator_is_shown_its_sensors_in_order() -> None:
 
 
 def test_sensors_do_not_overrule_what_the_robot_cannot_do() -> None:
-    one = agent("one", parameters(), ["patrol", "inspect"], evaluators={"mine/all_fresh": AllFresh})
+    one = agent("one", parameters(), ["patrol", "inspect"], evaluators={"mine/all_fresh": AllFresh}, sensors=SENSORS)
     heard = [sensed("/one/scan", 1.0), sensed("/weather", 1.0)]
     decision = step(one, 1.0, heard, impossible=["patrol"])
     assert motivations(decision)["patrol"]["applicable"] is False
@@ -105,7 +108,7 @@ def test_sensors_do_not_overrule_what_the_robot_cannot_do() -> None:
 
 def test_unknown_evaluator_is_refused_by_name() -> None:
     with pytest.raises(ValueError, match=r"task 'patrol'.*nobody registers.*'mine/all_fresh'; there are: other/one"):
-        agent("one", parameters(), ["patrol", "inspect"], evaluators={"other/one": AllFresh})
+        agent("one", parameters(), ["patrol", "inspect"], evaluators={"other/one": AllFresh}, sensors=SENSORS)
 
 
 def test_evaluator_is_not_asked_for_where_a_set_has_no_sensors() -> None:

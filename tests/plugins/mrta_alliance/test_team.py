@@ -83,6 +83,7 @@ def test_every_message_fills_every_field_of_its_type_in_order(root: Path) -> Non
     messages: Dict[str, Outgoing] = {message.topic: message for message in step(one, 1.2).messages}
     assert {topic: message.type for topic, message in messages.items()} == {
         "alliance/motivation/patrol": "alliance_msgs/Motivation",
+        "alliance/time_to_activation": "mrta_alliance_msgs/TimeToActivation",
         "alliance/sensory_feedback": "alliance_msgs/SensoryFeedback",
         "/alliance/inter_robot_communication": "alliance_msgs/InterRobotCommunication",
     }
@@ -108,12 +109,13 @@ def test_motivation_message_says_what_moved_the_set() -> None:
     }
 
 
-def test_agent_says_motivations_then_feedback_then_its_announcement() -> None:
+def test_agent_says_motivations_times_feedback_then_its_announcement() -> None:
     one = agent("one", nested(behaviour_set("patrol", 29.0), behaviour_set("inspect", 1.0)), ["patrol", "inspect"])
     step(one, 1.0)
     assert [message.topic for message in step(one, 1.2).messages] == [
         "alliance/motivation/patrol",
         "alliance/motivation/inspect",
+        "alliance/time_to_activation",
         "alliance/sensory_feedback",
         "alliance/sensory_feedback",
         "/alliance/inter_robot_communication",

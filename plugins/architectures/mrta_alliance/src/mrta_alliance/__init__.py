@@ -1,10 +1,13 @@
 """ALLIANCE: robots share out tasks by motivation alone, without negotiating (Parker 1998; Leite 2017).
 
-* ``equations``: 3.1 to 3.9, one pure function each
+* ``equations``: 3.1 to 3.12, one pure function each
 * ``parameters``: what one robot is told; ``reading``: from the nested form of its YAML file
-* ``communication``: what was heard of other robots; ``sensing``: what was heard of the robot's own sensors
+* ``communication``: what is heard of other robots, and not believed; ``history``: what is remembered of it
+* ``sensing``: what is said of each task's applicability; ``sensors``: readers of the robot's own sensors
 * ``behaviour_set``: one behaviour set and its motivation
-* ``messages``: what is said; ``agent``: the robot's decisions
+* ``timing``: when the robot resets, inhibits and announces; ``original``: the same as the original nodes do it
+* ``fairness``: an extension, by which perpetual tasks share the time
+* ``messages``: what is said; ``agent``: the robot's decisions; ``newcomers``: parameters of tasks that appear
 * ``interpreter``: tells from the messages what became of an allocation
 * ``panel``: motivation against threshold, for pictures
 * ``plugin``: the hooks

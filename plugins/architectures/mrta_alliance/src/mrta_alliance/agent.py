@@ -1,8 +1,12 @@
 """One robot under ALLIANCE: hears the others, weighs its tasks, acts on at most one of them.
 
-A cycle, spin rate times a second, as in the original nodes: what came in is taken in; an active behaviour set whose
-task has ended is dropped; then behaviour set by behaviour set, in file order, motivation and all that moves it are
-evaluated, a change being known to the next set at once, so that earlier sets win ties; then everything is said.
+A cycle, spin rate times a second, as in the original nodes:
+
+1. What came in is taken in (with ``strict_original`` only after 4).
+2. Reports are heeded: an active behaviour set whose task has ended is dropped, an operator is obeyed.
+3. Behaviour set by behaviour set, in file order, motivation and all that moves it are evaluated, a change being known
+   to the next set at once, so that earlier sets win ties.
+4. Everything is said: motivations, times to activation, sensory feedback, the announcement, hazards noticed.
 
 Differs from the paper: ALLIANCE knows no operators. Here an operator may reassign a task: before anything is evaluated,
 the robot named takes it, whatever it did, if it is applicable, and everybody else lets it go and starts again without
@@ -18,11 +22,13 @@ from typing import Dict, List, Mapping, Optional, Sequence, Set, Tuple
 from mrta_alliance import equations, messages
 from mrta_alliance.behaviour_set import BehaviourSet
 from mrta_alliance.communication import COMMUNICATION, Communication, Hazard
-from mrta_alliance.equations import TIME_TOLERANCE
+from mrta_alliance.fairness import FairShares
 from mrta_alliance.newcomers import parameters_for
+from mrta_alliance.original import AS_ORIGINAL
 from mrta_alliance.parameters import BehaviourSetParameters
 from mrta_alliance.reading import read_parameters
-from mrta_alliance.sensing import Sensing
+from mrta_alliance.sensing import Feedback, HeardFeedback, Sensing
+from mrta_alliance.timing import BY_EQUATIONS
 from rqt_mrta_py.hooks import AgentSetup, Decision, Outgoing, Situation, Subscription, TaskReport
 from rqt_mrta_py.model import Progress, Task
 
@@ -34,12 +40,7 @@ _OVER = (Progress.DONE, Progress.FAILED, Progress.UNREACHABLE, Progress.WITHDRAW
 
 
 class AllianceAgent:
-    """One robot's share of ALLIANCE; opens no socket and reads no clock.
-
-    Differs from the original nodes: the first announcement goes out in the cycle in which a behaviour set becomes
-    active, not one broadcast period later. In that period the original leaves everybody else free to take up the
-    same task, and a supervisor without a word on who has it.
-    """
+    """One robot's share of ALLIANCE; opens no socket and reads no clock."""
 
     def __init__(self, setup: AgentSetup) -> None:
         """Make an agent; its parameters are those of the original's YAML file.
@@ -55,16 +56,24 @@ class AllianceAgent:
         told = read_parameters(setup.parameters, tuple(tasks))
         self._robot_id = setup.robot_id
         self._told = told
-        self._seniority = _seniority(setup.robot_id, setup.team)
-        self._communication = Communication(setup.robot_id, told.buffer_horizon)
+        self._timing = AS_ORIGINAL if told.strict_original else BY_EQUATIONS
+        self._seniority = _seniority(setup.robot_id, setup.team) if self._timing.extended else 0.0
+        self._communication = Communication(setup.robot_id, lambda: self._timing.history(told))
+        self._inhibition = self._timing.inhibition()
+        self._announcer = self._timing.announcer(1.0 / told.broadcast_rate)
+        self._shares = FairShares()
+        self._fair = False
         self._kinds = {task.id: task.kind for task in tasks.values()}
+        self._perpetual = {task.id for task in tasks.values() if task.perpetual}
         self._sets: Dict[str, BehaviourSet] = {}
         for parameters in told.behaviour_sets:
             self._add_set(parameters)
-        self._sensing = Sensing(setup.robot_id, told, tasks, setup.evaluators)
+        self._feedback: Feedback
+        if told.low_level_feedback:
+            self._feedback = HeardFeedback(setup.robot_id, told.timeout_duration)
+        else:
+            self._feedback = Sensing(setup, told, tasks)
         self._ended: Set[str] = set()
-        self._announced: Optional[str] = None
-        self._next_announcement = 0.0
         self._before = 0.0
 
     @property
@@ -92,31 +101,57 @@ class AllianceAgent:
         """
         task = parameters.task_id
         self._sets[task].parameters = parameters
-        self._communication.follow(task, parameters.threshold / parameters.fast_rate)
+        self._follow(parameters)
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Say what to hear: the others' announcements and the robot's own sensors."""
-        return [COMMUNICATION, *self._sensing.subscriptions()]
+        return [COMMUNICATION, *self._feedback.subscriptions()]
 
     def step(self, situation: Situation) -> Decision:
         """Go through one cycle."""
         now = situation.now
-        self._communication.take_in((heard for heard in situation.heard if heard.topic == COMMUNICATION.topic), now)
-        self._sensing.take_in(situation.heard)
+        if self._timing.hears_first:
+            self._take_in(situation)
         feedback = self._heed(situation)
+        if self._fair:
+            self._share_time(situation, feedback)
         for each in self._sets.values():
             self._evaluate(each, situation, feedback)
-        self._before = now
         active = next((each for each in self._sets.values() if each.active), None)
-        said = [each.message(self._robot_id, now) for each in self._sets.values()]
-        said += [messages.sensory_feedback(self._robot_id, now, task, answer) for task, answer in feedback.items()]
-        said += self._announcement(active, now)
+        said = self._say(active, feedback, now)
+        if not self._timing.hears_first:
+            self._take_in(situation)
+        said += [messages.hazard_notice(self._robot_id, now, text) for text in self._communication.notices()]
+        self._before = now
         return Decision(active.parameters.task_id if active else None, said)
+
+    def _take_in(self, situation: Situation) -> None:
+        topic = COMMUNICATION.topic
+        self._communication.take_in((heard for heard in situation.heard if heard.topic == topic), situation.now)
+        self._feedback.take_in(situation.heard)
+
+    def _say(self, active: Optional[BehaviourSet], feedback: Mapping[str, bool], now: float) -> List[Outgoing]:
+        robot, sets = self._robot_id, self._sets.values()
+        said = [each.message(robot, now) for each in sets]
+        until = [each.time_to_activation(self.rate) for each in sets]
+        said.append(messages.time_to_activation(robot, now, tuple(self._sets), until))
+        if not self._told.low_level_feedback:
+            said += [messages.sensory_feedback(robot, now, task, answer) for task, answer in feedback.items()]
+        told = active.parameters if active else None
+        if self._announcer.due(told.task_id if told else None, now) and told is not None:
+            said.append(messages.announcement(robot, now, told.task_id, told.task_expected_duration))
+        return said
 
     def _add_set(self, parameters: BehaviourSetParameters) -> None:
         task = parameters.task_id
         self._sets[task] = BehaviourSet(parameters, 1.0 + parameters.head_start * self._seniority)
-        self._communication.follow(task, parameters.threshold / parameters.fast_rate)
+        self._follow(parameters)
+
+    def _follow(self, parameters: BehaviourSetParameters) -> None:
+        self._communication.follow(parameters.task_id, parameters.threshold / parameters.fast_rate)
+        if parameters.task_id in self._perpetual and self._timing.extended:
+            self._shares.follow(parameters)
+            self._fair = self._fair or parameters.fairness > 0.0
 
     def _heed(self, situation: Situation) -> Dict[str, bool]:
         """Do what reports ask for; give, by task, what the sensors say of it."""
@@ -129,18 +164,24 @@ class AllianceAgent:
                 else:
                     taken = None if taken == report.task else taken
                     each.leave()
+                    self._note_activity(each)
             self._note(report, situation)
         for task, each in self._sets.items():
             if each.active and task in self._ended:
                 each.drop()
-        feedback = {task: self._sensing.finds_applicable(task, situation.now) for task in self._sets}
+                self._note_activity(each)
+        feedback = {task: self._feedback.finds_applicable(task, situation.now) for task in self._sets}
         if taken is not None and self._finds_applicable(taken, situation, feedback):
             for task, each in self._sets.items():
                 if task == taken:
                     each.take(situation.now)
                 elif each.active:
                     each.drop()
+                self._note_activity(each)
         return feedback
+
+    def _note_activity(self, each: BehaviourSet) -> None:
+        self._inhibition.note(each.parameters.task_id, each.active)
 
     def _note(self, report: TaskReport, situation: Situation) -> None:
         if report.progress in _OVER:
@@ -158,38 +199,36 @@ class AllianceAgent:
             _LOG.warning("robot=%s task=%r no behaviour set: %s", self._robot_id, task.id, error)
             return
         self._kinds[task.id] = task.kind
+        if task.perpetual:
+            self._perpetual.add(task.id)
         self._add_set(parameters)
 
     def _finds_applicable(self, task: str, situation: Situation, feedback: Mapping[str, bool]) -> bool:
         possible = task not in self._ended and situation.applicable.get(task, False)
         return equations.applicable(feedback[task], possible)
 
+    def _share_time(self, situation: Situation, feedback: Mapping[str, bool]) -> None:
+        now, timeout = situation.now, self._told.timeout_duration
+        applicable = {task: self._finds_applicable(task, situation, feedback) for task in self._sets}
+        carried_out = [
+            task
+            for task, each in self._sets.items()
+            if each.active or any(other.received(now - timeout, now) for other in self._communication.about(task))
+        ]
+        self._shares.pass_time(now - self._before, applicable, carried_out)
+
     def _evaluate(self, each: BehaviourSet, situation: Situation, feedback: Mapping[str, bool]) -> None:
-        task = each.parameters.task_id
+        task, now = each.parameters.task_id, situation.now
         each.evaluate(
-            situation.now,
-            self._before,
+            now,
             self._communication.about(task),
             timeout=self._told.timeout_duration,
             applicable=self._finds_applicable(task, situation, feedback),
-            suppressed=equations.inhibited(other.active for other in self._sets.values() if other is not each),
+            suppressed=self._inhibition.inhibits(task),
+            resetted=self._communication.resets(task, self._before, now),
+            quickened=self._shares.factor(task) if self._fair else 1.0,
         )
-
-    def _announcement(self, active: Optional[BehaviourSet], now: float) -> List[Outgoing]:
-        task = active.parameters.task_id if active else None
-        begun = task != self._announced
-        self._announced = task
-        if active is None or task is None:
-            return []
-        if begun:
-            self._next_announcement = now
-        if now < self._next_announcement - TIME_TOLERANCE:
-            return []
-        period = 1.0 / self._told.broadcast_rate
-        # Due times keep their period, though only cycles can meet them; a robot that had stopped does not catch up.
-        due = self._next_announcement + period
-        self._next_announcement = due if due > now else now + period
-        return [messages.announcement(self._robot_id, now, task, active.parameters.task_expected_duration)]
+        self._note_activity(each)
 
 
 def _seniority(robot_id: str, team: Sequence[str]) -> float:

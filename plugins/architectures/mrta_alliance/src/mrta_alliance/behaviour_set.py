@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Optional, Sequence
 
 from mrta_alliance import equations
-from mrta_alliance.equations import Announcements
+from mrta_alliance.equations import OtherRobot
 from mrta_alliance.messages import MOTIVATION_TYPE, header, motivation_topic
 from mrta_alliance.parameters import BehaviourSetParameters
 from rqt_mrta_py.hooks import Outgoing
@@ -14,7 +14,7 @@ __all__ = ["BehaviourSet"]
 
 
 class BehaviourSet:
-    """A behaviour set c_ij with everything that moves it (equations 3.2 to 3.9).
+    """A behaviour set c_ij with everything that moves it (equations 3.2 to 3.10).
 
     Attributes:
         parameters: what it was told.
@@ -66,25 +66,29 @@ class BehaviourSet:
     def evaluate(
         self,
         now: float,
-        before: float,
-        others: Sequence[Announcements],
+        others: Sequence[OtherRobot],
         *,
         timeout: float,
         applicable: bool,
         suppressed: bool,
+        resetted: bool,
+        quickened: float = 1.0,
     ) -> None:
-        """Go through one cycle.
+        """Go through one cycle: impatience, acquiescence, suppression, reset, applicability, motivation, activity.
 
         Args:
             now: the time of this cycle [s].
-            before: the time of the cycle before [s].
             others: what is known of robots that announced the task.
             timeout: tau [s].
             applicable: equation 3.1.
             suppressed: equation 3.2.
+            resetted: equation 3.4, unless an operator's word goes before it.
+            quickened: factor on impatience in this cycle, at least 1 (see ``fairness``).
         """
         told = self.parameters
-        self.impatience = self._pace * equations.impatience(others, now, timeout, told.threshold, told.fast_rate)
+        self.impatience = (
+            self._pace * quickened * equations.impatience(others, now, timeout, told.threshold, told.fast_rate)
+        )
         self.acquiescent = self.active_since is not None and equations.acquiescent(
             others,
             self.active_since,
@@ -94,7 +98,7 @@ class BehaviourSet:
             giving_up_delay=told.giving_up_delay,
         )
         self.suppressed = suppressed
-        self.resetted = equations.reset(others, before, now) if self._ordered is None else not self._ordered
+        self.resetted = resetted if self._ordered is None else not self._ordered
         self._ordered = None
         self.applicable = applicable
         self.motivation = equations.motivation(
@@ -110,6 +114,17 @@ class BehaviourSet:
             self.active_since = None
         elif self.active_since is None:
             self.active_since = now
+
+    def time_to_activation(self, spin_rate: float) -> float:
+        """Estimate when it becomes active (equation 3.10) [s]; 0 when it is, NaN while its motivation does not grow.
+
+        Args:
+            spin_rate: rho [Hz].
+        """
+        blocked = not self.applicable or self.suppressed or self.resetted or self.acquiescent
+        return equations.time_to_activation(
+            self.motivation, self.impatience, self.parameters.threshold, spin_rate, is_blocked=blocked
+        )
 
     def message(self, robot_id: str, now: float) -> Outgoing:
         """Say how the newest cycle went."""

@@ -1,19 +1,18 @@
-"""What one robot has heard of the others, and which announcements it did not believe.
+"""What one robot hears of the others, and which announcements it does not believe.
 
-Times are those of receipt on the robot's own clock: "received" in equation 3.3 means just that, and so no other
-robot's clock can do harm. Stamps are looked at only to notice what harms the original nodes. Robots outside the team
-are heard like members of it, as the original nodes hear them.
+Stamps are looked at to notice what harms the original nodes. Robots outside the team are heard like members of it, as
+the original nodes hear them. What is believed goes into a history for each task (see ``history``).
 """
 
 from __future__ import annotations
 
 import logging
 import math
-from collections import deque
 from enum import Enum
-from typing import Deque, Dict, Iterable, List, Mapping, Sequence, Tuple
+from typing import Callable, Dict, Iterable, List, Mapping, Sequence, Tuple
 
-from mrta_alliance.equations import Announcements
+from mrta_alliance.equations import OtherRobot
+from mrta_alliance.history import TaskHistory
 from mrta_alliance.messages import COMMUNICATION_TOPIC, COMMUNICATION_TYPE
 from rqt_mrta_py.hooks import Heard, Subscription
 from rqt_mrta_py.model import normalise_id
@@ -42,45 +41,35 @@ class Hazard(Enum):
     NO_SENDER = "no sender"
 
 
-class _Peer:
-    """One other robot's announcements of one task."""
-
-    def __init__(self, first: float, noticed: float, patience: float) -> None:
-        self.first = first
-        self.recent: Deque[float] = deque((first,))
-        self.noticed = noticed
-        self.patience = patience
-
-    def announcements(self) -> Announcements:
-        times: Sequence[float] = self.recent
-        if self.recent[0] > self.first:
-            times = (self.first, *self.recent)
-        return Announcements(times, self.noticed, self.patience)
-
-
 class Communication:
     """One robot's memory of what the others announce."""
 
-    def __init__(self, robot_id: str, horizon: float) -> None:
+    def __init__(self, robot_id: str, history: Callable[[], TaskHistory]) -> None:
         """Start with an empty memory.
 
         Args:
             robot_id: whose memory it is; its own announcements are passed over.
-            horizon: how long announcements are kept [s]; the first of each robot is kept for ever.
+            history: makes the memory of one task.
         """
         self._robot_id = robot_id
+        self._make_history = history
         self._limits: Dict[str, float] = {}
-        self._horizon = horizon
-        self._peers: Dict[str, Dict[str, _Peer]] = {}
+        self._histories: Dict[str, TaskHistory] = {}
         self._hazards: Dict[Tuple[Hazard, str], int] = {}
+        self._notices: List[str] = []
 
     @property
     def hazards(self) -> Mapping[Tuple[Hazard, str], int]:
         """Count what was noticed, by kind and robot."""
         return dict(self._hazards)
 
+    def notices(self) -> Sequence[str]:
+        """Give, once, a line on each hazard that was noticed for the first time of its sender."""
+        given, self._notices = self._notices, []
+        return given
+
     def follow(self, task: str, patience_limit: float) -> None:
-        """Remember from now on who announces a task of this robot; told again, only the limit changes.
+        """Remember from now on who announces a task of this robot; what is remembered already stays.
 
         Args:
             task: its id.
@@ -88,7 +77,8 @@ class Communication:
                 theta / delta_fast [s].
         """
         self._limits[task] = patience_limit
-        self._peers.setdefault(task, {})
+        if task not in self._histories:
+            self._histories[task] = self._make_history()
 
     def take_in(self, messages: Iterable[Heard], now: float) -> None:
         """Remember what came since the cycle before.
@@ -101,16 +91,26 @@ class Communication:
             fields = message.fields
             robot = normalise_id(fields["header/frame_id"])
             task = fields["task_id"]
-            if robot != self._robot_id and task in self._peers and self._believes(message, robot, task):
-                self._remember(robot, task, min(message.receipt, now), now, fields["expected_duration"])
+            if robot != self._robot_id and task in self._histories and self._believes(message, robot, task):
+                self._histories[task].remember(robot, message, now)
 
-    def about(self, task: str) -> List[Announcements]:
+    def about(self, task: str) -> Sequence[OtherRobot]:
         """List what is known of the robots that announced a task, in the order of their first announcements.
 
         Args:
             task: id of a task of this robot.
         """
-        return [peer.announcements() for peer in self._peers[task].values()]
+        return self._histories[task].others()
+
+    def resets(self, task: str, before: float, now: float) -> bool:
+        """Judge whether a task's behaviour set is reset in this cycle (equation 3.4); asked once a cycle.
+
+        Args:
+            task: id of a task of this robot.
+            before: the time of the cycle before [s].
+            now: the time of this cycle [s].
+        """
+        return self._histories[task].resets(before, now)
 
     def _believes(self, message: Heard, robot: str, task: str) -> bool:
         stamp = message.fields["header/stamp"]
@@ -130,25 +130,9 @@ class Communication:
     def _notice(self, hazard: Hazard, robot: str, task: str, believed: bool) -> bool:
         key = (hazard, robot)
         if key not in self._hazards:
-            _LOG.warning(
-                "robot=%s sender=%s task=%s announcement=%s hazard=%r",
-                self._robot_id,
-                robot,
-                task,
-                "heard" if believed else "ignored",
-                hazard.value,
-            )
+            heard = "heard" if believed else "ignored"
+            notice = f"sender={robot} task={task} announcement={heard} hazard={hazard.value!r}"
+            self._notices.append(notice)
+            _LOG.warning("robot=%s %s", self._robot_id, notice)
         self._hazards[key] = self._hazards.get(key, 0) + 1
         return believed
-
-    def _remember(self, robot: str, task: str, receipt: float, now: float, duration: float) -> None:
-        peer = self._peers[task].get(robot)
-        if peer is None:
-            self._peers[task][robot] = _Peer(receipt, now, duration)
-            return
-        peer.patience = duration
-        # A link may deliver late; what counts then is that the robot was heard at all.
-        peer.recent.append(max(receipt, peer.recent[-1]))
-        # The newest stays however old it is: a robot that had stopped takes in late what it heard before.
-        while len(peer.recent) > 1 and peer.recent[0] < now - self._horizon:
-            peer.recent.popleft()

@@ -1,4 +1,4 @@
-"""Equations 3.1 to 3.9 of ALLIANCE, one pure function each.
+"""Equations 3.1 to 3.12 of ALLIANCE, one pure function each; 3.11 and 3.12 are 3.9 and 3.10 with a threshold of 1.
 
 Sources: L. E. Parker, "ALLIANCE: an architecture for fault tolerant multirobot cooperation", IEEE Transactions on
 Robotics and Automation 14(2), 1998; in the numbering and polarity of the dissertation behind rqt_mrta (Leite 2017).
@@ -14,6 +14,7 @@ Letters of the paper, and their names here; robot r_i, its behaviour set c_ij, a
 * phi_ij(k, t): ``patience``, how long r_i lets r_k try the task [s]; r_k announces it as expected duration
 * delta_fast_ij: ``fast_rate``, growth of motivation in one cycle while nobody carries out the task [1]
 * delta_slow_ij(k, t): growth in one cycle while r_k does [1]
+* rho_i: ``spin_rate``, how often r_i evaluates its motivations [Hz]
 
 Motivation grows by ``impatience`` once a cycle, so a rate in the parameters is a growth per cycle, and motivation
 grows by rate times spin rate each second, as in the original nodes.
@@ -24,11 +25,13 @@ within ``TIME_TOLERANCE``.
 
 from __future__ import annotations
 
-from typing import Iterable, NamedTuple, Sequence
+import math
+from typing import Iterable, NamedTuple, Protocol, Sequence
 
 __all__ = [
     "TIME_TOLERANCE",
     "Announcements",
+    "OtherRobot",
     "acquiescent",
     "active",
     "active_for",
@@ -39,13 +42,27 @@ __all__ = [
     "received",
     "reset",
     "slow_rate",
+    "time_to_activation",
 ]
 
 TIME_TOLERANCE = 1e-6
 
 
+class OtherRobot(Protocol):
+    """What r_i knows of one other robot r_k that announced the task of c_ij."""
+
+    @property
+    def patience(self) -> float:
+        """phi_ij(k, t), the expected duration of the newest announcement, above 0 [s]."""
+        ...
+
+    def received(self, after: float, until: float) -> bool:
+        """Judge whether an announcement was received within a window (equation 3.3) [s]."""
+        ...
+
+
 class Announcements(NamedTuple):
-    """What r_i knows of one other robot r_k that announced the task of c_ij.
+    """The announcements of one other robot r_k, as the equations take them.
 
     Attributes:
         times: when announcements were received, ascending, the first one ever included [s].
@@ -56,6 +73,10 @@ class Announcements(NamedTuple):
     times: Sequence[float]
     noticed: float
     patience: float
+
+    def received(self, after: float, until: float) -> bool:
+        """Judge whether one of them was received within a window (equation 3.3) [s]."""
+        return received(self.times, after, until)
 
 
 def applicable(sensory_feedback: bool, possible: bool) -> bool:
@@ -131,7 +152,7 @@ def active_for(delay: float, active_since: float, now: float) -> bool:
 
 
 def acquiescent(
-    others: Iterable[Announcements],
+    others: Iterable[OtherRobot],
     active_since: float,
     now: float,
     *,
@@ -154,9 +175,7 @@ def acquiescent(
     """
     if active_for(giving_up_delay, active_since, now):
         return True
-    return active_for(yielding_delay, active_since, now) and any(
-        received(other.times, now - timeout, now) for other in others
-    )
+    return active_for(yielding_delay, active_since, now) and any(other.received(now - timeout, now) for other in others)
 
 
 def slow_rate(threshold: float, patience: float) -> float:
@@ -169,9 +188,7 @@ def slow_rate(threshold: float, patience: float) -> float:
     return threshold / patience
 
 
-def impatience(
-    others: Iterable[Announcements], now: float, timeout: float, threshold: float, fast_rate: float
-) -> float:
+def impatience(others: Iterable[OtherRobot], now: float, timeout: float, threshold: float, fast_rate: float) -> float:
     """Give the growth of motivation in this cycle (equation 3.7).
 
     Differs from the paper: its printed minimum has no index set; it runs over K, the robots heard within tau and
@@ -188,7 +205,7 @@ def impatience(
     slowed_by = (
         slow_rate(threshold, other.patience)
         for other in others
-        if received(other.times, now - timeout, now) and not received(other.times, 0.0, now - other.patience)
+        if other.received(now - timeout, now) and not other.received(0.0, now - other.patience)
     )
     return min((fast_rate, *slowed_by))
 
@@ -224,10 +241,28 @@ def motivation(
 
 
 def active(value: float, threshold: float) -> bool:
-    """Judge whether motivation has reached the threshold (equation 3.9).
+    """Judge whether motivation has reached the threshold (equation 3.9; 3.11 with a threshold of 1).
 
     Args:
         value: motivation_ij(t) [1].
         threshold: theta [1].
     """
     return value >= threshold
+
+
+def time_to_activation(value: float, growth: float, threshold: float, spin_rate: float, *, is_blocked: bool) -> float:
+    """Estimate when a behaviour set will become active if its impatience stays (equation 3.10; 3.12 with theta 1).
+
+    Args:
+        value: motivation_ij(t) [1].
+        growth: impatience_ij(t), per cycle [1].
+        threshold: theta [1].
+        spin_rate: rho_i [Hz].
+        is_blocked: whether one of the four conditions of 3.8 strikes.
+
+    Returns:
+        The time from now [s]; 0 when active; NaN where it is undefined: motivation does not grow.
+    """
+    if is_blocked or growth <= 0.0:
+        return math.nan
+    return (threshold - value) / (growth * spin_rate)

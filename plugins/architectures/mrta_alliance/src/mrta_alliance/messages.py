@@ -1,4 +1,4 @@
-"""What an ALLIANCE robot says: topics, types and fields of ``alliance_msgs``.
+"""What an ALLIANCE robot says: topics, types and fields of ``alliance_msgs``, and of ``mrta_alliance_msgs`` beside it.
 
 ``header/frame_id`` is the robot's id with a leading slash, whichever form its parameters have: by it the original
 nodes know their own messages.
@@ -6,7 +6,7 @@ nodes know their own messages.
 
 from __future__ import annotations
 
-from typing import Dict
+from typing import Dict, Sequence
 
 from rqt_mrta_py.hooks import Outgoing
 from rqt_mrta_py.model import wire_id
@@ -14,20 +14,26 @@ from rqt_mrta_py.model import wire_id
 __all__ = [
     "COMMUNICATION_TOPIC",
     "COMMUNICATION_TYPE",
+    "FEEDBACK_TOPIC",
     "FEEDBACK_TYPE",
     "MOTIVATION_TOPICS",
     "MOTIVATION_TYPE",
     "announcement",
+    "hazard_notice",
     "header",
     "motivation_topic",
     "sensory_feedback",
+    "time_to_activation",
 ]
 
 COMMUNICATION_TOPIC = "/alliance/inter_robot_communication"
 COMMUNICATION_TYPE = "alliance_msgs/InterRobotCommunication"
 MOTIVATION_TOPICS = "/@robot_id@/alliance/motivation/@task_id@"
 MOTIVATION_TYPE = "alliance_msgs/Motivation"
+FEEDBACK_TOPIC = "alliance/sensory_feedback"
 FEEDBACK_TYPE = "alliance_msgs/SensoryFeedback"
+
+_WARN = 4  # rosgraph_msgs/Log.WARN
 
 
 def header(robot_id: str, now: float) -> Dict[str, object]:
@@ -48,7 +54,7 @@ def motivation_topic(task: str) -> str:
 def sensory_feedback(robot_id: str, now: float, task: str, applicable: bool) -> Outgoing:
     """Say whether the sensors find a task applicable."""
     fields = {"header": header(robot_id, now), "task_id": task, "applicable": applicable}
-    return Outgoing("alliance/sensory_feedback", FEEDBACK_TYPE, fields)
+    return Outgoing(FEEDBACK_TOPIC, FEEDBACK_TYPE, fields)
 
 
 def announcement(robot_id: str, now: float, task: str, expected_duration: float) -> Outgoing:
@@ -62,3 +68,28 @@ def announcement(robot_id: str, now: float, task: str, expected_duration: float)
     """
     fields = {"header": header(robot_id, now), "task_id": task, "expected_duration": expected_duration}
     return Outgoing(COMMUNICATION_TOPIC, COMMUNICATION_TYPE, fields)
+
+
+def time_to_activation(robot_id: str, now: float, tasks: Sequence[str], seconds: Sequence[float]) -> Outgoing:
+    """Say when behaviour sets are expected to become active.
+
+    Args:
+        robot_id: the sender.
+        now: its time [s].
+        tasks: of its behaviour sets, in file order.
+        seconds: of each, equation 3.10 [s].
+    """
+    fields = {"header": header(robot_id, now), "task_ids": list(tasks), "seconds": list(seconds)}
+    return Outgoing("alliance/time_to_activation", "mrta_alliance_msgs/TimeToActivation", fields)
+
+
+def hazard_notice(robot_id: str, now: float, text: str) -> Outgoing:
+    """Warn in the ROS log, so that bags hold it, of what would harm an original node.
+
+    Args:
+        robot_id: the robot whose agent noticed it.
+        now: its time [s].
+        text: one line.
+    """
+    fields = {"header": {"stamp": now}, "level": _WARN, "name": f"/{robot_id}/agent", "msg": text}
+    return Outgoing("/rosout", "rosgraph_msgs/Log", fields)

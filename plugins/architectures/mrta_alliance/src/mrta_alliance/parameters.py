@@ -35,16 +35,23 @@ class SensorParameters:
     Attributes:
         topic_name: where it publishes, in the robot's namespace unless it begins with a slash.
         timeout_duration: for how long a message is up to date [s].
+        buffer_horizon: for how long messages are kept [s].
+        plugin_name: of its reader.
     """
 
     topic_name: str
     timeout_duration: float = 5.0
+    buffer_horizon: float = 5.0
+    plugin_name: str = "mrta_alliance/any_message"
 
     def __post_init__(self) -> None:
         problems: List[ParameterProblem] = []
+        if not self.plugin_name:
+            problems.append(ParameterProblem("plugin_name", "must name a sensor (got nothing)"))
         if not self.topic_name:
             problems.append(ParameterProblem("topic_name", "must name a topic (got nothing)"))
         _above_zero(problems, "timeout_duration", self.timeout_duration, "s")
+        _above_zero(problems, "buffer_horizon", self.buffer_horizon, "s")
         _refuse(problems)
 
 
@@ -63,6 +70,8 @@ class BehaviourSetParameters:
             in those between [1]. Differs from the paper: equation 3.7 times 1 + head_start x seniority, so that fast
             and slow rates grow alike. Equal robots that cycle at the same moments would decide alike for ever;
             hardware differs by itself.
+        fairness: how much faster the motivation for a perpetual task grows the longer other perpetual tasks have been
+            carried out than it [1]. Differs from the paper: see ``fairness``; 0 follows the equations.
         evaluator: name of the sensory evaluator, asked only if there are sensors.
         sensors: topics of the robot's sensors that it is judged by, in file order.
     """
@@ -74,6 +83,7 @@ class BehaviourSetParameters:
     giving_up_delay: float = 300.0
     fast_rate: float = 1.0
     head_start: float = 0.0
+    fairness: float = 0.0
     evaluator: str = "basic_behaviours/all_sensors_fresh"
     sensors: Tuple[str, ...] = ()
 
@@ -88,6 +98,7 @@ class BehaviourSetParameters:
         _above_zero(problems, f"{inner}/acquiescence/giving_up_delay", self.giving_up_delay, "s")
         _above_zero(problems, f"{inner}/impatience/fast_rate", self.fast_rate)
         _at_least_zero(problems, f"{inner}/impatience/head_start", self.head_start)
+        _at_least_zero(problems, f"{inner}/impatience/fairness", self.fairness)
         if self.sensors and not self.evaluator:
             problems.append(
                 ParameterProblem(f"{inner}/sensory_feedback/plugin_name", "must name a sensory evaluator (got nothing)")
@@ -115,6 +126,9 @@ class AllianceParameters:
         broadcast_rate: how often the robot announces the task that it carries out [Hz].
         timeout_duration: tau, after what silence another robot counts as stopped [s].
         buffer_horizon: how long announcements of others are kept; the first of each robot is kept for ever [s].
+        strict_original: whether the robot times what it does as the original nodes do (see ``original``).
+        low_level_feedback: whether a low_level node, such as the original's, judges if tasks are applicable, and is
+            heard on ``alliance/sensory_feedback``; the robot's own evaluators are not asked then.
         sensors: of the robot, in file order.
     """
 
@@ -123,6 +137,8 @@ class AllianceParameters:
     broadcast_rate: float = 2.0
     timeout_duration: float = 3.0
     buffer_horizon: float = 10.0
+    strict_original: bool = False
+    low_level_feedback: bool = False
     sensors: Tuple[SensorParameters, ...] = ()
 
     def __post_init__(self) -> None:

@@ -8,11 +8,13 @@ from mrta_alliance.agent import AllianceAgent
 from mrta_alliance.interpreter import AllianceInterpreter
 from mrta_alliance.panel import MotivationPanel
 from mrta_alliance.reading import find_problems
+from mrta_alliance.sensors import AnyMessage, Scan
 from rqt_mrta_py.hooks import (
     AgentFactory,
     AllocationInterpreterFactory,
     MonitorPanelFactory,
     ParameterProblem,
+    RobotSensorFactory,
     hookimpl,
 )
 from rqt_mrta_py.model import Task
@@ -22,6 +24,7 @@ __all__ = [
     "mrta_register_agents",
     "mrta_register_allocation_interpreters",
     "mrta_register_monitor_panels",
+    "mrta_register_robot_sensors",
 ]
 
 _ARCHITECTURE = "mrta_alliance"
@@ -43,6 +46,12 @@ def mrta_register_allocation_interpreters() -> Mapping[str, AllocationInterprete
 def mrta_register_monitor_panels() -> Mapping[str, MonitorPanelFactory]:
     """Name the panel as rqt_alliance's rqt plugin is named, so that original files show it."""
     return {"rqt_alliance/alliance_plugin": MotivationPanel}
+
+
+@hookimpl
+def mrta_register_robot_sensors() -> Mapping[str, RobotSensorFactory]:
+    """Name the readers of sensors."""
+    return {"mrta_alliance/any_message": AnyMessage, "mrta_alliance/scan": Scan}
 
 
 @hookimpl

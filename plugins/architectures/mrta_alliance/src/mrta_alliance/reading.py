@@ -18,6 +18,8 @@ __all__ = ["find_problems", "read_parameters"]
 _Value = TypeVar("_Value")
 
 _RATES = ("spin_rate", "broadcast_rate", "timeout_duration", "buffer_horizon")
+_SWITCHES = ("strict_original", "low_level_feedback")
+_SENSOR_NUMBERS = {name: name for name in ("timeout_duration", "buffer_horizon")}
 _BEHAVIOUR_SET_NUMBERS = {
     "task_expected_duration": "task_expected_duration",
     "threshold": "motivational_behaviour/threshold",
@@ -25,6 +27,7 @@ _BEHAVIOUR_SET_NUMBERS = {
     "giving_up_delay": "motivational_behaviour/acquiescence/giving_up_delay",
     "fast_rate": "motivational_behaviour/impatience/fast_rate",
     "head_start": "motivational_behaviour/impatience/head_start",
+    "fairness": "motivational_behaviour/impatience/fairness",
 }
 _FEEDBACK = "motivational_behaviour/sensory_feedback"
 _BEHAVIOUR_SET_GROUPS = (
@@ -68,7 +71,7 @@ def _read(
     nested: Mapping[str, Any], tasks: Sequence[str]
 ) -> Tuple[Optional[AllianceParameters], List[ParameterProblem]]:
     problems: List[ParameterProblem] = []
-    rates = _numbers(nested, "", {name: name for name in _RATES}, problems)
+    robot = {**_numbers(nested, "", {name: name for name in _RATES}, problems), **_switches(nested, problems)}
     sensors: Dict[str, SensorParameters] = {}
     for path in _elements(nested, "sensors", "sensor", problems):
         sensor = _sensor(nested, path, problems)
@@ -86,15 +89,16 @@ def _read(
     parameters = _made(
         "",
         problems,
-        lambda: AllianceParameters(tuple(sets.values()), sensors=tuple(sensors.values()), **rates),
+        lambda: AllianceParameters(tuple(sets.values()), sensors=tuple(sensors.values()), **robot),
     )
     return parameters, problems
 
 
 def _sensor(nested: Mapping[str, Any], path: str, problems: List[ParameterProblem]) -> Optional[SensorParameters]:
     topic = _text(nested, f"{path}/topic_name", "", problems)
-    numbers = _numbers(nested, path, {"timeout_duration": "timeout_duration"}, problems)
-    return _made(path, problems, lambda: SensorParameters(topic, **numbers))
+    plugin = _text(nested, f"{path}/plugin_name", SensorParameters.plugin_name, problems)
+    numbers = _numbers(nested, path, _SENSOR_NUMBERS, problems)
+    return _made(path, problems, lambda: SensorParameters(topic, plugin_name=plugin, **numbers))
 
 
 def _behaviour_set(
@@ -173,6 +177,18 @@ def _numbers(
             found[attribute] = float(value)
         elif value is not None:
             problems.append(ParameterProblem(_join(path, name), f"must be a number (got {value!r})"))
+    return found
+
+
+def _switches(nested: Mapping[str, Any], problems: List[ParameterProblem]) -> Dict[str, Any]:
+    """Read the robot's switches that are there, by attribute."""
+    found: Dict[str, Any] = {}
+    for name in _SWITCHES:
+        value = nested.get(name)
+        if isinstance(value, bool):
+            found[name] = value
+        elif value is not None:
+            problems.append(ParameterProblem(name, f"must be true or false (got {value!r})"))
     return found
 
 
