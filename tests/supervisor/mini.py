@@ -98,16 +98,12 @@ class Stream:
         for subscription, callback in self.supervisor.listeners():
             self._listeners.append((_pattern(subscription.topic), subscription, callback))
         self._ordinals: Dict[str, int] = defaultdict(int)
-        self._sightings: Dict[Tuple[str, str], Sighting] = {}
+        self._sightings: Dict[Tuple[Tuple[str, str], ...], Sighting] = {}
 
     def say(self, time: float, topic: str, type: str = "", caller: str = "", **fields: Any) -> None:
         """Publish a message; a double underscore in a field's name stands for a slash."""
         values = {name.replace("__", "/"): value for name, value in fields.items()}
-        ordinal = self._ordinals[topic]
-        self._ordinals[topic] += 1
-        if (topic, caller) not in self._sightings:
-            self._sightings[topic, caller] = self.supervisor.sighting(Connection(topic, type, "", "", caller))
-        self._sightings[topic, caller](time, ordinal)
+        (ordinal,) = self._sight(time, ((topic, caller),))
         for pattern, subscription, callback in self._listeners:
             match = pattern.fullmatch(topic)
             if match is None or (type and subscription.type not in ("", type)):
@@ -130,6 +126,10 @@ class Stream:
         """A robot says something that is of no interest but for its coming."""
         self.say(time, f"/{robot}/odom", caller=f"/{robot}/driver")
 
+    def together(self, time: float, *robots: str) -> None:
+        """Robots say such things at one moment, and are told of together."""
+        self._sight(time, tuple((f"/{robot}/odom", f"/{robot}/driver") for robot in robots))
+
     def tick(self, time: float) -> None:
         """Time passes."""
         self.say(time, "/clock", caller="/simulation")
@@ -151,6 +151,18 @@ class Stream:
             for call in calls:
                 call(round(start + round_ * period, 9))
             round_ += 1
+
+    def _sight(self, time: float, said: Tuple[Tuple[str, str], ...]) -> List[int]:
+        """Tell that messages came, by topic and caller."""
+        if said not in self._sightings:
+            connections = [Connection(topic, "", "", "", caller) for topic, caller in said]
+            self._sightings[said] = self.supervisor.sighting(connections)
+        ordinals = []
+        for topic, _ in said:
+            ordinals.append(self._ordinals[topic])
+            self._ordinals[topic] += 1
+        self._sightings[said](time, ordinals)
+        return ordinals
 
     def finish(self) -> MissionRecord:
         """End the stream."""

@@ -25,7 +25,7 @@ Step = Tuple[float, str, str, str, str]
 
 steps = st.tuples(
     st.sampled_from([0.0, 0.0, 0.1, 0.4, 0.5, 1.0, 1.9, 2.0, 2.1, 5.0, -1.0]),
-    st.sampled_from(["busy", "busy", "late", "idle", "odom", "tick", "sign", "progress", "nameless"]),
+    st.sampled_from(["busy", "busy", "late", "idle", "odom", "together", "tick", "sign", "progress", "nameless"]),
     st.sampled_from(ROBOTS),
     st.sampled_from([*TASKS, *TASKS, RESCUE, GHOST]),
     st.sampled_from(sorted({each.value for each in (*Progress, *Outcome)})),
@@ -47,8 +47,15 @@ def listening(of: Mission) -> Stream:
     return Stream(of, Signs(), mrta_register_incident_rules(), mrta_register_statistics())
 
 
-def play(stream: Stream, story: Sequence[Step], peeks: Sequence[float] = ()) -> None:
-    """Feed a story; ``peeks`` are moments after each message to look at on the way [s]."""
+def play(stream: Stream, story: Sequence[Step], peeks: Sequence[float] = (), apart: bool = False) -> None:
+    """Feed a story.
+
+    Args:
+        stream: takes it.
+        story: what is said.
+        peeks: moments after each message to look at on the way [s].
+        apart: tell one by one of what comes together.
+    """
     time = 1.0
     for wait, kind, robot, task, word in story:
         time = round(time + wait, 9)
@@ -60,6 +67,10 @@ def play(stream: Stream, story: Sequence[Step], peeks: Sequence[float] = ()) -> 
             stream.idle(time, robot, task)
         elif kind == "odom":
             stream.odom(time, robot)
+        elif kind == "together":
+            speakers = [robot, *ROBOTS, robot]
+            for group in [[each] for each in speakers] if apart else [speakers]:
+                stream.together(time, *group)
         elif kind == "tick":
             stream.tick(time)
         elif kind == "sign":
@@ -163,6 +174,16 @@ def test_same_stream_gives_the_same_outputs(of: Mission, story: List[Step]) -> N
     assert event_lines(one) == event_lines(other)
     assert incident_lines(one) == incident_lines(other)
     assert first.supervisor.news() == second.supervisor.news()
+
+
+@patient
+@given(missions, streams)
+def test_what_is_told_of_together_counts_as_if_told_of_one_by_one(of: Mission, story: List[Step]) -> None:
+    together, apart = listening(of), listening(of)
+    play(together, story)
+    play(apart, story, apart=True)
+    assert together.supervisor.news() == apart.supervisor.news()
+    assert together.finish() == apart.finish()
 
 
 @patient

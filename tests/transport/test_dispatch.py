@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from typing import Any, List, Tuple
+from typing import Any, List, Sequence, Tuple
 
 import pytest
 
@@ -155,9 +155,10 @@ def test_who_watches_is_told_of_each_message_before_all_who_hear_it(codec: RosCo
     dispatcher = Dispatcher(codec, lambda heard, text: told.append(text))
     dispatcher.subscribe(Subscription(EVERYTHING), lambda heard: told.append((heard.caller, heard.receipt)))
 
-    def sighting(connection: Connection) -> Sighting:
+    def sighting(connections: Sequence[Connection]) -> Sighting:
+        (connection,) = connections
         told.append(f"asked for {connection.caller}")
-        return lambda receipt, ordinal: told.append((connection.caller, receipt, ordinal))
+        return lambda receipt, ordinals: told.append((connection.caller, receipt, *ordinals))
 
     dispatcher.watch(sighting)
     first, second = (codec.connection("/s", "std_msgs/String", caller) for caller in ("/one", "/two"))
@@ -192,3 +193,105 @@ def test_messages_that_come_together_are_heard_one_by_one(listening: Listening, 
         ("b", 1, 1.000000001),
         ("c", 2, 1.000000001),
     ]
+
+
+class Told(List[Any]):
+    """What a watcher and a listener of /heard are told, in order."""
+
+    def __init__(self, dispatcher: Dispatcher) -> None:
+        super().__init__()
+        dispatcher.watch(self._sighting)
+        dispatcher.subscribe(Subscription("/heard"), lambda heard: self.append(("heard", heard.ordinal)))
+
+    def _sighting(self, connections: Sequence[Connection]) -> Sighting:
+        topics = "".join(connection.topic for connection in connections)
+        return lambda receipt, ordinals: self.append((topics, receipt, list(ordinals)))
+
+
+def test_what_nobody_hears_is_told_of_together_where_it_comes_together_again(codec: RosCodec) -> None:
+    """Messages are counted and told of in their order, whoever tells of them and however."""
+    dispatcher = Dispatcher(codec, lambda heard, text: None)
+    told = Told(dispatcher)
+    a, b, heard = (codec.connection(topic, "std_msgs/String") for topic in ("/a", "/b", "/heard"))
+    line_up = (a, b, a, heard, heard, b)
+    dispatcher.feed_batch(Batch.of(line_up, 10**9, (b"",) * 6))
+    assert told == [
+        ("/a", 1.0, [0]),
+        ("/b", 1.0, [0]),
+        ("/a", 1.0, [1]),
+        ("/heard", 1.0, [0]),
+        ("heard", 0),
+        ("/heard", 1.0, [1]),
+        ("heard", 1),
+        ("/b", 1.0, [1]),
+    ]
+    dispatcher.feed(Stamped(b, 2 * 10**9, b""))
+    for second in (3, 4):
+        told.clear()
+        dispatcher.feed_batch(Batch.of(line_up, second * 10**9, (b"",) * 6))
+        before = 2 * (second - 2)
+        assert told == [
+            ("/a/b/a", float(second), [before, before + 1, before + 1]),
+            ("/heard", float(second), [before]),
+            ("heard", before),
+            ("/heard", float(second), [before + 1]),
+            ("heard", before + 1),
+            ("/b", float(second), [before + 2]),
+        ]
+
+
+def test_what_is_subscribed_to_among_messages_told_of_together_is_heard_from_the_next_on(codec: RosCodec) -> None:
+    dispatcher = Dispatcher(codec, lambda heard, text: None)
+    told = Told(dispatcher)
+
+    def hear(heard: Heard) -> None:
+        if heard.ordinal == 2:
+            dispatcher.subscribe(Subscription("/a"), lambda also: told.append(("a", also.ordinal)))
+
+    dispatcher.subscribe(Subscription("/heard"), hear)
+    a, heard = (codec.connection(topic, "std_msgs/String") for topic in ("/a", "/heard"))
+    line_up = (a, a, heard, a, a)
+    for _ in range(3):
+        told.clear()
+        dispatcher.feed_batch(Batch.of(line_up, 10**9, (b"",) * 5))
+    assert told == [
+        ("/a/a", 1.0, [8, 9]),
+        ("/heard", 1.0, [2]),
+        ("heard", 2),
+        ("/a", 1.0, [10]),
+        ("a", 10),
+        ("/a", 1.0, [11]),
+        ("a", 11),
+    ]
+
+
+class Sealed(Batch):
+    """A batch whose messages must not be cut out."""
+
+    @property
+    def raws(self) -> Sequence[bytes]:
+        raise AssertionError("nobody reads these messages")
+
+
+def test_messages_that_nobody_reads_are_not_cut_out(codec: RosCodec) -> None:
+    dispatcher = Dispatcher(codec, lambda heard, text: None)
+    told = Told(dispatcher)
+    line_up = tuple(codec.connection(topic, "std_msgs/String") for topic in ("/a", "/b", "/heard"))
+    dispatcher.feed_batch(Batch.of(line_up, 10**9, (b"", b"", b"")))
+    told.clear()
+    dispatcher.feed_batch(Sealed.of(line_up, 2 * 10**9, (b"", b"", b"")))
+    assert told == [("/a/b", 2.0, [1, 1]), ("/heard", 2.0, [1]), ("heard", 1)]
+
+
+def test_line_ups_are_told_apart_however_many_there_are(codec: RosCodec) -> None:
+    dispatcher = Dispatcher(codec, lambda heard, text: None)
+    told = Told(dispatcher)
+    topics = [codec.connection(f"/t{number}", "std_msgs/String") for number in range(14)]
+    expected = [each.topic for first in topics for second in topics for each in (first, second)]
+    for _ in range(3):
+        told.clear()
+        for first in topics:
+            for second in topics:
+                # Each tuple may take the place of an earlier one in memory.
+                dispatcher.feed_batch(Batch.of((first, second), 10**9, (b"", b"")))
+        assert [topics for topics, _, _ in told] == expected

@@ -168,9 +168,9 @@ class OutgoingRows(NamedTuple):
     columns: Mapping[str, Column]
 
 
-Sighting = Callable[[float, int], None]
-"""Is told that a message of one connection came, and nothing of its content: when it was received [s], and its ordinal,
-both as in Heard."""
+Sighting = Callable[[float, Sequence[int]], None]
+"""Is told that a message of each of some connections came at one moment, in the order of the connections, and nothing of
+their content: when they were received [s], and the ordinal of each, both as in Heard."""
 
 FieldReader = Callable[[bytes], Tuple[Any, ...]]
 """From a message's bytes to the values of the compiled paths, in their order."""

@@ -10,7 +10,7 @@ from rqt_mrta_py.supervisor.failures import checked, failure
 from rqt_mrta_py.supervisor.message_key import MessageKey, key_of
 from rqt_mrta_py.supervisor.presence import Presence
 from rqt_mrta_py.supervisor.readers import STAMP, TopicReader, text_of
-from rqt_mrta_py.supervisor.robots import RobotWatch
+from rqt_mrta_py.supervisor.sightings import Sightings
 from rqt_mrta_py.supervisor.statements import Report, Statements
 from rqt_mrta_py.supervisor.team import Team
 from rqt_mrta_py.supervisor.topics import Topics
@@ -46,32 +46,11 @@ class Ears:
         self._enter = enter
         self._report = report
         self._statements = Statements(team, topics.hold)
-        self._presence = Presence(team.robots, topics.naming)
+        self._sightings = Sightings(team, Presence(team.robots, topics.naming), enter)
 
-    def sighting(self, connection: Connection) -> Sighting:
-        """Give who is told first of all messages of a connection: time passes, and their robot counts as heard."""
-        topic, team, enter, owner = connection.topic, self._team, self._enter, self._presence.owner
-        book, robots = team.book, team.robots
-        robot: Optional[RobotWatch] = None
-        known = -1
-
-        # Nearly all messages of a mission end here, and nearly always time stands still and nothing waits for them.
-        def sight(receipt: float, ordinal: int) -> None:
-            nonlocal robot, known
-            message = (topic, receipt, ordinal)
-            if receipt > team.now or book.unsettled:
-                enter(message)
-            if len(robots) != known:
-                robot, known = owner(connection), len(robots)
-            if robot is None:
-                return
-            if robot.silent or book.expired:
-                enter(message)
-                team.hear(robot, message)
-            else:
-                robot.heard_at, robot.last_message = team.now, message
-
-        return sight
+    def sighting(self, connections: Sequence[Connection]) -> Sighting:
+        """Give who is told first of all messages of connections: time passes, and their robots count as heard."""
+        return self._sightings.of(connections)
 
     def listeners(self) -> List[Tuple[Subscription, Callback]]:
         """Say what to hear, and who hears it, in the order in which one message shall be taken in."""

@@ -81,9 +81,9 @@ class Supervisor:
         self._unreadable: Set[Tuple[str, str]] = set()
         self._finished: Optional[MissionRecord] = None
 
-    def sighting(self, connection: Connection) -> Sighting:
-        """Give whom to tell first of all messages of a connection, before anybody hears them."""
-        return self._ears.sighting(connection)
+    def sighting(self, connections: Sequence[Connection]) -> Sighting:
+        """Give whom to tell first of all messages of connections, before anybody hears them."""
+        return self._ears.sighting(connections)
 
     def listeners(self) -> Sequence[Tuple[Subscription, Callback]]:
         """Say what to hear, and who hears it; to be subscribed once, in this order.

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from itertools import count
-from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Set, Tuple
+from itertools import count, islice
+from typing import Any, Callable, Dict, Iterator, List, Mapping, Sequence, Set, Tuple
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Codec, Connection, FieldReader, Heard, Sighting, Stamped, Subscription
+from rqt_mrta_py.hooks import Codec, Connection, Heard, Sighting, Stamped, Subscription
 from rqt_mrta_py.transport.batch import Batch
 from rqt_mrta_py.transport.fitting import reader_for
+from rqt_mrta_py.transport.line_ups import LineUps
 from rqt_mrta_py.transport.patterns import TopicPattern, resolve_topic
+from rqt_mrta_py.transport.routes import Complaint, MetWish, Route, Wish
 
 __all__ = ["Dispatcher"]
 
@@ -20,48 +22,6 @@ _NOTHING: Mapping[str, Any] = {}
 
 _new_heard = tuple.__new__
 """Makes a Heard of a tuple of its values, in half the time of the constructor of a NamedTuple."""
-
-
-class _Wish(NamedTuple):
-    """A subscription with whom to tell."""
-
-    number: int
-    pattern: TopicPattern
-    subscription: Subscription
-    callback: Callable[[Heard], None]
-
-
-class _MetWish(NamedTuple):
-    """A wish that a connection meets; without a reader it wants nothing of the content."""
-
-    callback: Callable[[Heard], None]
-    robot: str
-    task: str
-    paths: Tuple[str, ...]
-    reader: Optional[FieldReader]
-    wish: _Wish
-
-
-class _Complaint(NamedTuple):
-    """A wish that a connection cannot meet; said with its first message."""
-
-    wish: _Wish
-    robot: str
-    task: str
-    text: str
-
-
-class _Route:
-    """Where the messages of one connection go."""
-
-    __slots__ = ("complaints", "connection", "met", "ordinals", "sightings")
-
-    def __init__(self, connection: Connection, ordinals: Iterator[int]) -> None:
-        self.connection = connection
-        self.ordinals = ordinals
-        self.sightings: Tuple[Sighting, ...] = ()
-        self.met: Tuple[_MetWish, ...] = ()
-        self.complaints: List[_Complaint] = []
 
 
 class Dispatcher:
@@ -79,11 +39,12 @@ class Dispatcher:
     def __init__(self, codec: Codec, report: Callable[[Heard, str], None]) -> None:
         self._codec = codec
         self._report = report
-        self._watchers: List[Callable[[Connection], Sighting]] = []
-        self._wishes: List[_Wish] = []
-        self._routes: Dict[Connection, _Route] = {}
+        self._watchers: List[Callable[[Sequence[Connection]], Sighting]] = []
+        self._wishes: List[Wish] = []
+        self._routes: Dict[Connection, Route] = {}
         # Sources hand in the same Connection object again and again: its identity is found faster than its value.
-        self._by_identity: Dict[int, _Route] = {}
+        self._by_identity: Dict[int, Route] = {}
+        self._line_ups = LineUps(self._route, self._watchers)
         self._ordinals: Dict[str, Iterator[int]] = {}
         self._reported: Set[Tuple[Connection, int]] = set()
 
@@ -98,17 +59,18 @@ class Dispatcher:
             TransportError: the topic is no name that ROS accepts.
         """
         pattern = TopicPattern(resolve_topic(subscription.topic, _ROOT))
-        self._wishes.append(_Wish(len(self._wishes), pattern, subscription, callback))
+        self._wishes.append(Wish(len(self._wishes), pattern, subscription, callback))
         self._forget_routes()
 
-    def watch(self, sighting: Callable[[Connection], Sighting]) -> None:
+    def watch(self, sighting: Callable[[Sequence[Connection]], Sighting]) -> None:
         """Tell somebody of each message from now on that it came.
 
-        This costs a fraction of a subscription to EVERYTHING, for what depends on the connection alone is asked for
-        once, and no Heard is made.
+        This costs a fraction of a subscription to EVERYTHING, for what depends on the connections alone is asked for
+        once, no Heard is made, and what nobody else hears is told of together where it comes together.
 
         Args:
-            sighting: is asked for each connection, with its first message, whom to tell of its messages.
+            sighting: is asked whom to tell of the messages of a connection, before the first of them, and of several
+                connections where theirs come together again and again.
         """
         self._watchers.append(sighting)
         self._forget_routes()
@@ -119,7 +81,8 @@ class Dispatcher:
         Args:
             stamped: the next message of the stream.
         """
-        self._feed((stamped,))
+        connection, receipt_ns, raw = stamped
+        self._take(self._by_identity.get(id(connection)) or self._route(connection), receipt_ns / 1_000_000_000, raw)
 
     def feed_batch(self, batch: Batch) -> None:
         """Hand messages to everybody who wants them, one after another.
@@ -127,24 +90,34 @@ class Dispatcher:
         Args:
             batch: the next ones of the stream.
         """
-        self._feed(batch)
+        receipt = batch.receipt_ns / 1_000_000_000
+        end = 0
+        routes = self._routes
+        for end, ordinals, sightings, heard in self._line_ups.stretches(batch.connections):
+            if heard is not None:
+                self._take(heard, receipt, batch.raws[end - 1] if heard.reads else b"")
+            else:
+                numbers = list(map(next, ordinals))
+                for sight in sightings:
+                    sight(receipt, numbers)
+            if self._routes is not routes:
+                # Somebody new wants to hear, from the next message on.
+                break
+        if end < len(batch):
+            for stamped in islice(batch, end, None):
+                self.feed(stamped)
 
-    def _feed(self, messages: Iterable[Stamped]) -> None:
-        by_identity = self._by_identity
-        last_ns, receipt = 0, 0.0
-        for connection, receipt_ns, raw in messages:
-            route = by_identity.get(id(connection)) or self._route(connection)
-            ordinal = next(route.ordinals)
-            if receipt_ns != last_ns:
-                last_ns, receipt = receipt_ns, receipt_ns / 1_000_000_000
-            if route.complaints:
-                self._complain_first(route, receipt, ordinal)
-            for sight in route.sightings:
-                sight(receipt, ordinal)
-            if route.met:
-                self._hand_on(route, receipt, ordinal, raw)
+    def _take(self, route: Route, receipt: float, raw: bytes) -> None:
+        """Take in one message."""
+        ordinal = next(route.ordinals)
+        if route.complaints:
+            self._complain_first(route, receipt, ordinal)
+        for sight in route.sightings:
+            sight(receipt, (ordinal,))
+        if route.met:
+            self._hand_on(route, receipt, ordinal, raw)
 
-    def _hand_on(self, route: _Route, receipt: float, ordinal: int, raw: bytes) -> None:
+    def _hand_on(self, route: Route, receipt: float, ordinal: int, raw: bytes) -> None:
         """Hand one message to all who hear it; a field that several want is read once."""
         connection = route.connection
         topic, type_name, caller = connection.topic, connection.type, connection.caller
@@ -164,23 +137,25 @@ class Dispatcher:
             callback(_new_heard(Heard, (topic, type_name, receipt, fields, robot, task, caller, ordinal)))
 
     def _forget_routes(self) -> None:
-        self._routes.clear()
-        self._by_identity.clear()
+        # A new one, by which it is noticed while messages are handed on.
+        self._routes = {}
+        self._by_identity = {}
+        self._line_ups = LineUps(self._route, self._watchers)
 
-    def _complain_first(self, route: _Route, receipt: float, ordinal: int) -> None:
+    def _complain_first(self, route: Route, receipt: float, ordinal: int) -> None:
         connection = route.connection
         while route.complaints:
             wish, robot, task, text = route.complaints.pop(0)
             heard = Heard(connection.topic, connection.type, receipt, _NOTHING, robot, task, connection.caller, ordinal)
             self._complain(wish, connection, heard, text)
 
-    def _complain(self, wish: _Wish, connection: Connection, heard: Heard, text: str) -> None:
+    def _complain(self, wish: Wish, connection: Connection, heard: Heard, text: str) -> None:
         key = (connection, wish.number)
         if key not in self._reported:
             self._reported.add(key)
             self._report(heard, text)
 
-    def _route(self, connection: Connection) -> _Route:
+    def _route(self, connection: Connection) -> Route:
         route = self._routes.get(connection)
         if route is None:
             route = self._routes[connection] = self._new_route(connection)
@@ -188,9 +163,9 @@ class Dispatcher:
             self._by_identity[id(connection)] = route
         return route
 
-    def _new_route(self, connection: Connection) -> _Route:
-        route = _Route(connection, self._ordinals.setdefault(connection.topic, count()))
-        met: List[_MetWish] = []
+    def _new_route(self, connection: Connection) -> Route:
+        route = Route(connection, self._ordinals.setdefault(connection.topic, count()))
+        met: List[MetWish] = []
         for wish in self._wishes:
             tokens = wish.pattern.match(connection.topic)
             if tokens is None:
@@ -198,9 +173,10 @@ class Dispatcher:
             try:
                 reader = reader_for(self._codec, connection, wish.subscription)
             except TransportError as error:
-                route.complaints.append(_Complaint(wish, tokens[0], tokens[1], f"{connection.topic}: {error}"))
+                route.complaints.append(Complaint(wish, tokens[0], tokens[1], f"{connection.topic}: {error}"))
             else:
-                met.append(_MetWish(wish.callback, tokens[0], tokens[1], wish.subscription.fields, reader, wish))
+                met.append(MetWish(wish.callback, tokens[0], tokens[1], wish.subscription.fields, reader, wish))
         route.met = tuple(met)
-        route.sightings = tuple([sighting(connection) for sighting in self._watchers])
+        route.reads = any(wish.reader is not None for wish in met)
+        route.sightings = tuple([sighting((connection,)) for sighting in self._watchers])
         return route
