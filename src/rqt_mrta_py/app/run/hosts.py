@@ -18,6 +18,7 @@ from rqt_mrta_py.hooks import (
     BehaviourSetup,
     PlannerFactory,
     PlannerSetup,
+    RobotSensorFactory,
     SensoryEvaluatorFactory,
 )
 from rqt_mrta_py.hooks.manager import PluginManager
@@ -56,6 +57,7 @@ class HostMaker:
         self._tasks = frozenset(task.id for task in (*mission.tasks, *mission.later_tasks))
         self._behaviours: Mapping[str, BehaviourFactory] = manager.registered("mrta_register_behaviours")
         self._evaluators: Mapping[str, SensoryEvaluatorFactory] = manager.registered("mrta_register_sensory_evaluators")
+        self._sensors: Mapping[str, RobotSensorFactory] = manager.registered("mrta_register_robot_sensors")
         self._allocators: Mapping[str, Allocator] = guarded_allocators(manager.registered("mrta_register_allocators"))
         self._planner = _planner(self._scenario.planner, manager.registered("mrta_register_planners"))
         self._agent = _agent_factory(mission.architecture.package, manager.registered("mrta_register_agents"))
@@ -77,6 +79,7 @@ class HostMaker:
             parameters=self._mission.parameters.get(robot_id, {}),
             random=generator(self._seed, robot_id, Purpose.AGENT),
             evaluators=self._evaluators,
+            sensors=self._sensors,
             allocators=self._allocators,
             later_tasks=later_tasks,
         )
