@@ -115,7 +115,7 @@ class FigurePage:
     def _draw_scales(self, axes: Any, chart: Chart, place: Box, last: bool) -> None:
         look = {"fontsize": _TICK.size * _POINTS, "color": rgb(MUTED)}
         bottom, top = axes.get_ylim()
-        up = ticks(bottom, top, max(3, min(int(place.height / 36.0), 9)))
+        up = ticks(bottom, top, max(3, min(int(place.height / 45.0), 9)))
         axes.set_yticks(up)
         axes.set_yticklabels([number(value) for value in up], **look)
         low, high = axes.get_xlim()

@@ -10,6 +10,8 @@
 * ``messages``: what is said; ``agent``: the robot's decisions; ``newcomers``: parameters of tasks that appear
 * ``interpreter``: tells from the messages what became of an allocation
 * ``panel``: motivation against threshold, for pictures
+* ``inner_life``: what goes on in behaviour sets, as it is heard; ``traces``: how it is kept
+* ``figures``: charts of it, drawn at the end; ``file_names``: made of ids
 * ``plugin``: the hooks
 """
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, Mapping, Sequence
 
 from mrta_alliance.agent import AllianceAgent
+from mrta_alliance.figures import AllianceFigures
 from mrta_alliance.interpreter import AllianceInterpreter
 from mrta_alliance.panel import MotivationPanel
 from mrta_alliance.reading import find_problems
@@ -12,6 +13,7 @@ from mrta_alliance.sensors import AnyMessage, Scan
 from rqt_mrta_py.hooks import (
     AgentFactory,
     AllocationInterpreterFactory,
+    FigureMakerFactory,
     MonitorPanelFactory,
     ParameterProblem,
     RobotSensorFactory,
@@ -23,6 +25,7 @@ __all__ = [
     "mrta_check_parameters",
     "mrta_register_agents",
     "mrta_register_allocation_interpreters",
+    "mrta_register_figures",
     "mrta_register_monitor_panels",
     "mrta_register_robot_sensors",
 ]
@@ -46,6 +49,12 @@ def mrta_register_allocation_interpreters() -> Mapping[str, AllocationInterprete
 def mrta_register_monitor_panels() -> Mapping[str, MonitorPanelFactory]:
     """Name the panel as rqt_alliance's rqt plugin is named, so that original files show it."""
     return {"rqt_alliance/alliance_plugin": MotivationPanel}
+
+
+@hookimpl
+def mrta_register_figures() -> Mapping[str, FigureMakerFactory]:
+    """Name the figures of motivations and behaviour sets."""
+    return {"alliance": AllianceFigures}
 
 
 @hookimpl
