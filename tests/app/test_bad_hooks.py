@@ -11,7 +11,10 @@ from tests.app.outputs import Mrta
 
 REGISTERS = [hook for hook in HOOKS if hook.startswith("mrta_register_")]
 COMMANDS = {"mrta_register_verbs": ["any"], "mrta_register_benchmarks": ["bench"]}
-RUN = ["run", "border_patrol", "--duration", "1", "--processes", "1", "--pictures", "0.5", "--export", "csv"]
+RUN = [
+    *("run", "border_patrol", "--duration", "1", "--processes", "1", "--pictures", "0.5"),
+    *("--export", "csv", "--figures", "alliance"),
+]
 
 
 def implementation(hook: str, body: str) -> str:

@@ -109,6 +109,9 @@ class Part:
     def export(self, record):
         return {answer}
 
+    def figures(self, record):
+        return {answer}
+
     def sense(self, moment):
         return {answer}
 """
@@ -291,6 +294,26 @@ MISFITS = {
         plugin("exporters", "any", LISTENER, "lambda setup: None"),
         "exporter any: made None, which has no 'subscriptions'",
     ),
+    "figures, none": (
+        plugin("figures", "any", LISTENER),
+        "figures any: gives None; a sequence of Figures is needed",
+    ),
+    "figures, outside of the folder": (
+        plugin("figures", "any", LISTENER, answer="[Figure('../any', 'Any', 'x', ())]"),
+        "figures any: '../any' is no name of a figure; letters, digits, '_' and '-' are accepted",
+    ),
+    "figures, two of a name": (
+        plugin("figures", "any", LISTENER, answer="[Figure(name, 'Any', 'x', ()) for name in ('one', 'One')]"),
+        "figures any: gives two figures of the name 'One'; each needs its own",
+    ),
+    "figures, no lines": (
+        plugin("figures", "any", LISTENER, answer="[Figure('any', 'Any', 'x', (Chart((1,), 'y'),))]"),
+        "figures any: figure any: 1 stands among a chart's lines; a Line with a label and a LineStyle is needed",
+    ),
+    "figures, no numbers": (
+        plugin("figures", "any", LISTENER, answer="[Figure('a', 'A', 'x', (Chart((Line('l', 'a', 'b'),), 'y'),))]"),
+        "figures any: figure a: line 'l' has values that are no numbers",
+    ),
 }
 
 WEIGHING_COSTS = (
@@ -350,6 +373,7 @@ MISFITS_OF_TEAMS_THAT_WEIGH_COSTS = {
 def test_a_part_that_does_not_fit_stops_the_run_by_name(mrta: Mrta, stranger: Path, text: str, message: str) -> None:
     stranger.write_text(text)
     wishes = ["--export", "any"] if "mrta_register_exporters" in text else []
+    wishes += ["--figures", "any"] if "mrta_register_figures" in text else []
 
     status, lines = mrta("run", "border_patrol", "--duration", "1", "--processes", "1", *wishes)
 

@@ -17,6 +17,7 @@ from rqt_mrta_py.hooks import (
     BehaviourStep,
     Benchmark,
     BenchmarkTable,
+    Chart,
     Command,
     Curve,
     CurveGroup,
@@ -24,10 +25,13 @@ from rqt_mrta_py.hooks import (
     Decision,
     ExporterSetup,
     Fact,
+    Figure,
+    FigureSetup,
     Heard,
     IncidentBoard,
     InterpreterSetup,
     Laboratory,
+    Line,
     LinkSetup,
     MonitorView,
     Outgoing,
@@ -238,6 +242,24 @@ class Ledger:
         return {"ledger.txt": "\n".join([*self.lines, f"{len(record.allocations)} in all"]).encode("utf-8")}
 
 
+class Chronicle:
+    """Draws how far the mole had gone when."""
+
+    def __init__(self, setup: FigureSetup) -> None:
+        self.title = setup.mission.application.name
+        self.points: List[Tuple[float, float]] = []
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        return [Subscription("/@robot_id@/mileage", "std_msgs/Float64", ("data",))]
+
+    def hear(self, heard: Heard) -> None:
+        self.points.append((heard.receipt, heard.fields["data"]))
+
+    def figures(self, record: MissionRecord) -> Sequence[Figure]:
+        times, values = zip(*self.points)
+        return [Figure("mileage", self.title, "t [s]", (Chart((Line("mole1", times, values),), "mileage [m]"),))]
+
+
 class Neighbour:
     """Overhears the mileage."""
 
@@ -307,6 +329,10 @@ class Stranger:
     @hookimpl
     def mrta_register_exporters(self) -> Mapping[str, Any]:
         return {"ledger": Ledger}
+
+    @hookimpl
+    def mrta_register_figures(self) -> Mapping[str, Any]:
+        return {"chronicle": Chronicle}
 
     @hookimpl
     def mrta_register_message_observers(self) -> Mapping[str, Any]:

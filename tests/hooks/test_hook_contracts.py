@@ -12,6 +12,7 @@ from rqt_mrta_py.app.cli.main import main
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs.exports import exporters_for
+from rqt_mrta_py.app.outputs.figures import figure_makers_for
 from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.app.outputs.picture_files import PictureFiles
 from rqt_mrta_py.app.outputs.pictures import PictureSchedule
@@ -50,10 +51,13 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
     monitor = folder.monitor(wanted=True)
     assert monitor is not None
     exporters = exporters_for(MISSION, ["ledger"], manager)
-    observation = Observation(MISSION, codec, manager, 1.5, tuple(exporters.values()))
+    figures = figure_makers_for(MISSION, ["chronicle"], manager)
+    observation = Observation(MISSION, codec, manager, 1.5, (*exporters.values(), *figures.values()))
     run = EmbeddedRun(MISSION, 1.5, codec, manager)
     pictures = PictureSchedule(host.renderer("monitor"), 5, 10, PictureFiles(monitor))
-    plan = WatchPlan(observation, folder, run.clock, run.last_tick, False, pictures, None, exporters, manager.patience)
+    plan = WatchPlan(
+        *(observation, folder, run.clock, run.last_tick, False, pictures, None, exporters, manager.patience, figures)
+    )
     with open_watch(plan, run.bus) as watch:
         for tick in range(run.last_tick + 1):
             run.step(tick)
@@ -172,6 +176,11 @@ def test_hook_mrta_register_renderers_draws_every_period(story: Story) -> None:
 
 def test_hook_mrta_register_exporters_leaves_the_files_that_are_asked_for(story: Story) -> None:
     assert (story.folder / "export" / "ledger" / "ledger.txt").read_text() == "mole1 dig 3.0 m\n1 in all"
+
+
+def test_hook_mrta_register_figures_leaves_the_pictures_that_are_asked_for(story: Story) -> None:
+    (picture,) = (story.folder / "figures" / "chronicle").iterdir()
+    assert (picture.name, picture.read_bytes()[:4]) == ("mileage.png", b"\x89PNG")
 
 
 def test_hook_mrta_register_message_observers_hears_the_stream(story: Story) -> None:

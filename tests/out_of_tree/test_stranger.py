@@ -78,7 +78,7 @@ def stranger(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFa
 @pytest.fixture(scope="module")
 def run(stranger: Stranger) -> Run:
     """Run the stranger's application once: 3 s, work from 0.5 s to 1.5 s."""
-    done = stranger.mrta(*stranger.plan("--export", "trace", "--out", "out", "-v"))
+    done = stranger.mrta(*stranger.plan("--export", "trace", "--figures", "tunnels", "--out", "out", "-v"))
     assert done.returncode == 0, done.stderr
     return Run(stranger.folder / "out", done.stderr)
 
@@ -198,6 +198,13 @@ def test_hook_mrta_register_exporters(run: Run) -> None:
     assert (trace["application"], trace["allocations"]) == (["Garden"], 2)
 
 
+def test_hook_mrta_register_figures(run: Run) -> None:
+    """One picture, 1600 pixels wide, with bars in it."""
+    picture = require_module("cv2").imread(str(run.out / "figures" / "tunnels" / "dug.png"))  # type: ignore[attr-defined]
+    assert picture.shape[1] == 1600
+    assert (picture == (190, 135, 38)).all(axis=2).sum() > 10_000
+
+
 def test_hook_mrta_register_message_observers(run: Run) -> None:
     assert run.log.count("INFO stranger: an ear in the Garden") == 1
     assert run.log.count("INFO stranger: heard of mole2: too hard") == 1
@@ -239,8 +246,15 @@ def test_hook_mrta_check_parameters(stranger: Stranger) -> None:
 def test_review_of_the_strangers_bag_gives_what_the_run_gave(stranger: Stranger, run: Run) -> None:
     """The stranger's rule, interpreter, statistic and exporter hear a bag as they heard the run."""
     done = stranger.mrta(
-        "review", str(run.out / "mission.bag"), "--out", "again", "--pictures", "0", "--export", "trace"
+        *("review", str(run.out / "mission.bag"), "--out", "again", "--pictures", "0"),
+        *("--export", "trace", "--figures", "tunnels"),
     )
     assert done.returncode == 0, done.stderr
-    for name in ("summary.json", "events.jsonl", "incidents.jsonl", "export/trace/trace.json"):
+    for name in (
+        "summary.json",
+        "events.jsonl",
+        "incidents.jsonl",
+        "export/trace/trace.json",
+        "figures/tunnels/dug.png",
+    ):
         assert (stranger.folder / "again" / name).read_bytes() == (run.out / name).read_bytes(), name

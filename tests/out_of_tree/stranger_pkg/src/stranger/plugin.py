@@ -91,6 +91,11 @@ def mrta_register_exporters() -> Mapping[str, Any]:
 
 
 @hookimpl
+def mrta_register_figures() -> Mapping[str, Any]:
+    return {"tunnels": watching.Tunnels}
+
+
+@hookimpl
 def mrta_register_message_observers() -> Mapping[str, Any]:
     return {"ear": watching.Ear}
 

@@ -11,14 +11,19 @@ import numpy as np
 from rqt_mrta_py.hooks import (
     AllocationSign,
     AllocationStarted,
+    Chart,
     Curve,
     CurveGroup,
     CurvePanel,
     ExporterSetup,
     Fact,
+    Figure,
+    FigureSetup,
     Heard,
     IncidentBoard,
     InterpreterSetup,
+    Line,
+    LineStyle,
     MonitorView,
     ObserverSetup,
     PanelSetup,
@@ -101,6 +106,25 @@ class Trace:
 
     def export(self, record: MissionRecord) -> Mapping[str, bytes]:
         return {"trace.json": json.dumps({**self._heard, "allocations": len(record.allocations)}).encode()}
+
+
+class Tunnels:
+    """One bar for each robot that was heard, as high as its mileage."""
+
+    def __init__(self, setup: FigureSetup) -> None:
+        self._dug: Dict[str, float] = {}
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        return [MILEAGE]
+
+    def hear(self, heard: Heard) -> None:
+        self._dug[heard.robot] = heard.fields["data"]
+
+    def figures(self, record: MissionRecord) -> Sequence[Figure]:
+        moles = tuple(sorted(self._dug))
+        heights = tuple(self._dug[mole] for mole in moles)
+        line = Line("dug", tuple(map(float, range(len(moles)))), heights, style=LineStyle.BARS)
+        return [Figure("dug", "Tunnels", "mole", (Chart((line,), "mileage [m]", x_ticks=moles),))]
 
 
 class Ear:
