@@ -137,9 +137,10 @@ class AllianceAgent:
         said.append(messages.time_to_activation(robot, now, tuple(self._sets), until))
         if not self._told.low_level_feedback:
             said += [messages.sensory_feedback(robot, now, task, answer) for task, answer in feedback.items()]
-        told = active.parameters if active else None
-        if self._announcer.due(told.task_id if told else None, now) and told is not None:
-            said.append(messages.announcement(robot, now, told.task_id, told.task_expected_duration))
+        task = self._announcer.due(active.parameters.task_id if active else None, now)
+        if task is not None:
+            expected = self._sets[task].parameters.task_expected_duration
+            said.append(messages.announcement(robot, now, task, expected))
         return said
 
     def _add_set(self, parameters: BehaviourSetParameters) -> None:

@@ -10,7 +10,8 @@ otherwise than the equations (in brackets: what the equations say):
 * A behaviour set is reset once in its life, for the first robot heard (once for each other robot).
 * A set is inhibited by the last change of any other set: whether that one became active then (while any is active).
 * The first announcement goes out one period after activation, and a timer, once started, runs until it finds nothing
-  active. A timer that falls due just when a cycle ends is found in the next.
+  active. A timer that falls due just when a cycle ends is found in the next. A task that is let go still counts as
+  carried out in that cycle.
 * There are no extensions: neither head start nor fairness.
 
 Each behaviour set of the original reads the clock anew, some tens of microseconds apart; here a cycle has one time.
@@ -155,16 +156,18 @@ class BroadcastTimer:
         """
         self._period = period
         self._due: Optional[float] = None
+        self._before: Optional[str] = None
 
-    def due(self, task: Optional[str], now: float) -> bool:
-        """Tell whether to announce now."""
+    def due(self, task: Optional[str], now: float) -> Optional[str]:
+        """Tell which task to announce now, if any."""
+        held, self._before = task or self._before, task
         if self._due is None:
-            self._due = None if task is None else now + self._period
-            return False
+            self._due = None if held is None else now + self._period
+            return None
         if now < self._due + _TIMER_LAG:
-            return False
-        self._due = None if task is None else max(self._due + self._period, now)
-        return task is not None
+            return None
+        self._due = None if held is None else max(self._due + self._period, now)
+        return held
 
 
 def _held(told: AllianceParameters) -> HeldHistory:

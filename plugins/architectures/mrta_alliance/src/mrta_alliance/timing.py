@@ -31,8 +31,8 @@ class Inhibition(Protocol):
 class Announcer(Protocol):
     """Knows when the robot announces what it does."""
 
-    def due(self, task: Optional[str], now: float) -> bool:
-        """Tell whether to announce now; asked once a cycle.
+    def due(self, task: Optional[str], now: float) -> Optional[str]:
+        """Tell which task to announce now, if any; asked once a cycle.
 
         Args:
             task: that the robot carries out; None if it does nothing.
@@ -77,20 +77,20 @@ class PromptAnnouncer:
         self._announced: Optional[str] = None
         self._next = 0.0
 
-    def due(self, task: Optional[str], now: float) -> bool:
-        """Tell whether to announce now."""
+    def due(self, task: Optional[str], now: float) -> Optional[str]:
+        """Tell which task to announce now, if any."""
         begun = task != self._announced
         self._announced = task
         if task is None:
-            return False
+            return None
         if begun:
             self._next = now
         if now < self._next - TIME_TOLERANCE:
-            return False
+            return None
         # Due times keep their period, though only cycles can meet them; a robot that had stopped does not catch up.
         due = self._next + self._period
         self._next = due if due > now else now + self._period
-        return True
+        return task
 
 
 @dataclass(frozen=True)
