@@ -9,6 +9,16 @@ from rqt_mrta_py.config.files import read_file, read_if_there, write_together, w
 from rqt_mrta_py.errors import ConfigError
 
 
+def test_what_lies_in_the_place_of_the_file_aside_is_not_followed(tmp_path: Path) -> None:
+    """Who may write into the folder could else have any file overwritten."""
+    treasure = tmp_path / "treasure"
+    treasure.write_bytes(b"gold")
+    (tmp_path / f".a.json.{os.getpid()}.part").symlink_to(treasure)
+    write_whole(tmp_path / "a.json", b"new")
+    assert (treasure.read_bytes(), (tmp_path / "a.json").read_bytes()) == (b"gold", b"new")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.json", "treasure"]
+
+
 def test_a_file_is_replaced_and_nothing_else_is_left(tmp_path: Path) -> None:
     (tmp_path / "a.json").write_bytes(b"old")
     write_whole(tmp_path / "a.json", b"new")

@@ -54,15 +54,13 @@ def write_whole(path: Path, data: bytes) -> None:
     Raises:
         OSError: it cannot be written; what stood there before stands there still.
     """
-    aside = path.with_name(f".{path.name}.part")
+    aside = _beside(path, "part")
+    _remove(aside)
     try:
-        aside.write_bytes(data)
+        _write_new(aside, data)
         aside.replace(path)
-    except OSError:
-        try:
-            aside.unlink()
-        except OSError:
-            pass
+    except BaseException:
+        _remove(aside)
         raise
 
 
@@ -116,9 +114,7 @@ class _Change:
         self._make_folder(target.parent)
         self._new[target] = aside = _beside(target, "part")
         _remove(aside)
-        # A link in its place, whoever put it there, is not followed.
-        with aside.open("xb") as file:
-            file.write(text.encode("utf-8"))
+        _write_new(aside, text.encode("utf-8"))
         if target.exists():
             shutil.copymode(target, aside)
 
@@ -166,6 +162,12 @@ def _behind_links(path: Path) -> Path:
         return path.resolve()
     except RuntimeError as error:
         raise OSError(None, "Too many levels of symbolic links") from error
+
+
+def _write_new(path: Path, data: bytes) -> None:
+    """Write a file where none is; a link in its place, whoever put it there, is not followed."""
+    with path.open("xb") as file:
+        file.write(data)
 
 
 def _beside(target: Path, ending: str) -> Path:

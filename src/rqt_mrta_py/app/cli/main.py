@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import errno
 import importlib
 import sys
 from typing import Any, List, Optional, Sequence
@@ -11,7 +12,8 @@ from rqt_mrta_py import __version__
 from rqt_mrta_py.app.cli.logs import start_logging
 from rqt_mrta_py.app.cli.parser import CommandParser, VerbParser, verbosity
 from rqt_mrta_py.app.cli.stdout import mute
-from rqt_mrta_py.errors import MrtaError
+from rqt_mrta_py.errors import MrtaError, UsageError
+from rqt_mrta_py.wording import shown
 
 __all__ = ["main"]
 
@@ -51,6 +53,9 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
         mute()
         return 0
     except Exception as error:  # noqa: BLE001 - the last border: a defect of ours is told in one line too
+        if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
+            _complain(f"{shown(error.filename)}: longer than a file's name can be", verbose)
+            return UsageError.exit_code
         _complain(f"internal error: {type(error).__name__}: {error}; -vv shows where", verbose)
         return 70
 
@@ -66,11 +71,11 @@ def _complain(message: str, verbose: int) -> None:
 
         traceback.print_exc()
     lines = message.splitlines()
-    shown = lines if verbose or len(lines) <= _MOST_LINES else lines[: _MOST_LINES - 1]
-    for line in shown:
+    told = lines if verbose or len(lines) <= _MOST_LINES else lines[: _MOST_LINES - 1]
+    for line in told:
         print(f"mrta: {line}", file=sys.stderr)
-    if len(shown) < len(lines):
-        print(f"mrta: and {len(lines) - len(shown)} more; -v tells them", file=sys.stderr)
+    if len(told) < len(lines):
+        print(f"mrta: and {len(lines) - len(told)} more; -v tells them", file=sys.stderr)
 
 
 def _verb(arguments: Sequence[str]) -> Optional[str]:
@@ -88,6 +93,10 @@ def _parser(verb: Optional[str] = None) -> argparse.ArgumentParser:
         title="verbs", metavar="VERB", dest="verb", required=True, parser_class=VerbParser
     )
     for name in VERBS:
+        if verb in VERBS and name != verb:
+            # Known by name; what it takes is not asked for, and its modules need not be read.
+            verbs.add_parser(name)
+            continue
         module = importlib.import_module(f"rqt_mrta_py.app.cli.{name}")
         first_line = (module.__doc__ or "").splitlines()[0]
         own = verbs.add_parser(name, parents=[common], help=first_line, description=first_line)
