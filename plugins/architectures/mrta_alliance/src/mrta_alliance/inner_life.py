@@ -32,7 +32,6 @@ class SetLife:
         steps: threshold [1], impatience [1] and flags (1 or 0), by the name of their field.
         time_to_activation: NaN while motivation does not grow [s].
         heard: whether anything but times to activation was.
-        topic: of its motivation; empty until heard.
     """
 
     def __init__(self) -> None:
@@ -40,11 +39,10 @@ class SetLife:
         self.steps: Dict[str, Steps] = {name: Steps() for name in ("threshold", "impatience", *FLAGS)}
         self.time_to_activation = Slope()
         self.heard = False
-        self.topic = ""
 
-    def hear(self, topic: str, time: float, fields: Mapping[str, float]) -> None:
+    def hear(self, time: float, fields: Mapping[str, float]) -> None:
         """Take in one Motivation."""
-        self.heard, self.topic = True, topic
+        self.heard = True
         self.motivation.add(time, float(fields["motivation"]))
         for name, steps in self.steps.items():
             steps.add(time, float(fields[name]))
@@ -71,7 +69,7 @@ class InnerLife:
         """Take in one message."""
         robot = normalise_id(heard.fields["header/frame_id"]) or heard.robot
         if heard.type == MOTIVATION_TYPE:
-            self._life(robot, heard.fields["task_id"]).hear(heard.topic, heard.receipt, heard.fields)
+            self._life(robot, heard.fields["task_id"]).hear(heard.receipt, heard.fields)
             return
         for task, seconds in zip(heard.fields["task_ids"], heard.fields["seconds"]):
             told = float(seconds)
@@ -83,12 +81,6 @@ class InnerLife:
             told = [(task, life) for task, life in lives.items() if life.heard]
             if told:
                 yield robot, told
-
-    def sets(self) -> Iterator[Tuple[str, str, SetLife]]:
-        """Yield every behaviour set that the mission has or that was heard of: robot, task, what is known."""
-        for robot, lives in self._robots.items():
-            for task, life in lives.items():
-                yield robot, task, life
 
     def _life(self, robot: str, task: str) -> SetLife:
         lives = self._robots.setdefault(robot, {})

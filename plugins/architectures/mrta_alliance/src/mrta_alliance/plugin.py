@@ -8,11 +8,13 @@ from mrta_alliance.agent import AllianceAgent
 from mrta_alliance.figures import AllianceFigures
 from mrta_alliance.interpreter import AllianceInterpreter
 from mrta_alliance.panel import MotivationPanel
+from mrta_alliance.plots import AlliancePlots
 from mrta_alliance.reading import find_problems
 from mrta_alliance.sensors import AnyMessage, Scan
 from rqt_mrta_py.hooks import (
     AgentFactory,
     AllocationInterpreterFactory,
+    ExporterFactory,
     FigureMakerFactory,
     MonitorPanelFactory,
     ParameterProblem,
@@ -25,6 +27,7 @@ __all__ = [
     "mrta_check_parameters",
     "mrta_register_agents",
     "mrta_register_allocation_interpreters",
+    "mrta_register_exporters",
     "mrta_register_figures",
     "mrta_register_monitor_panels",
     "mrta_register_robot_sensors",
@@ -49,6 +52,12 @@ def mrta_register_allocation_interpreters() -> Mapping[str, AllocationInterprete
 def mrta_register_monitor_panels() -> Mapping[str, MonitorPanelFactory]:
     """Name the panel as rqt_alliance's rqt plugin is named, so that original files show it."""
     return {"rqt_alliance/alliance_plugin": MotivationPanel}
+
+
+@hookimpl
+def mrta_register_exporters() -> Mapping[str, ExporterFactory]:
+    """Name the definitions of plots for rqt_multiplot and PlotJuggler."""
+    return {"alliance_plots": AlliancePlots}
 
 
 @hookimpl
