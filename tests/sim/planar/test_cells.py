@@ -7,7 +7,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from rqt_mrta_py.sim.planar.cells import Cells, counting
+from rqt_mrta_py.sim.planar.cells import Cells, laid_out
 
 places = st.floats(-50.0, 50.0)
 points = st.integers(0, 12).flatmap(lambda count: arrays(np.float64, (2, count), elements=places))
@@ -42,6 +42,12 @@ def test_near_reaches_any_distance():
     assert list(zip(query, point)) == [(0, 0), (0, 1), (1, 0), (1, 1)]
 
 
-def test_counting_counts_each_number_out():
-    assert counting(np.array([2, 0, 3])).tolist() == [0, 1, 0, 1, 2]
-    assert counting(np.array([], dtype=np.intp)).tolist() == []
+def test_lists_of_unequal_lengths_are_laid_out_one_after_the_other():
+    for counts, lists, places in (
+        ([2, 0, 3], [0, 0, 2, 2, 2], [0, 1, 0, 1, 2]),
+        ([0, 1, 0, 0], [1], [0]),
+        ([0, 0], [], []),
+        ([], [], []),
+    ):
+        laid = laid_out(np.array(counts, dtype=np.intp))
+        assert [numbers.tolist() for numbers in laid] == [lists, places]

@@ -6,7 +6,7 @@ from typing import Tuple
 
 import numpy as np
 
-from rqt_mrta_py.sim.planar.cells import Floats, Rows
+from rqt_mrta_py.sim.planar.cells import Floats, Rows, laid_out
 
 __all__ = ["Fan"]
 
@@ -57,10 +57,7 @@ class Fan:
         """
         middle = bearing * self._sectors_a_radian + self._middle
         half = half_angle * self._sectors_a_radian
-        begins = self._begins.take((middle - half).astype(np.intp))
-        counts = self._ends.take((middle + half).astype(np.intp)) - begins
-        np.minimum(counts, self.bearings.size, out=counts)
-        ends = np.cumsum(counts)
-        which = np.repeat(np.arange(counts.size), counts)
-        begins -= ends - counts
-        return which, self._order.take(begins.take(which) + np.arange(which.size))
+        begins = self._begins[(middle - half).astype(np.intp)]
+        counts = self._ends[(middle + half).astype(np.intp)] - begins
+        which, place = laid_out(np.minimum(counts, self.bearings.size))
+        return which, self._order[begins[which] + place]

@@ -101,11 +101,11 @@ class Nearby:
         (x, y, _), shapes = visible.poses, visible.shapes
         robot, thing = cells.near(x[own], y[own], reach)
         thing += first
-        apart_x, apart_y = x.take(thing) - x[own].take(robot), y.take(thing) - y[own].take(robot)
-        radius, height = shapes.radius.take(thing), self._heights[rows].take(robot)
+        apart_x, apart_y = x[thing] - x[own][robot], y[thing] - y[own][robot]
+        radius, height = shapes.radius[thing], self._heights[rows][robot]
         is_near = apart_x * apart_x + apart_y * apart_y <= ((1 + _FORESIGHT) * max_range + radius) ** 2
-        is_near &= (shapes.low.take(thing) <= height) & (height <= shapes.high.take(thing))
-        is_near &= own.take(robot) != thing
+        is_near &= (shapes.low[thing] <= height) & (height <= shapes.high[thing])
+        is_near &= own[robot] != thing
         found = np.flatnonzero(is_near)
-        radius = radius.take(found)
-        return Pairs(robot.take(found), thing.take(found), radius, (max_range + radius) ** 2)
+        radius = radius[found]
+        return Pairs(robot[found], thing[found], radius, (max_range + radius) ** 2)

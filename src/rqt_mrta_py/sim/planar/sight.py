@@ -94,34 +94,35 @@ class Sight:
         wall, robot = np.nonzero((rooms <= rays.max_range) & (heights <= arena.wall_height))
         room = rooms[wall, robot]
         half_angle = np.arccos(np.maximum(room, 0.0) / rays.max_range)
-        which, cell, direction = rays.towards(robot, _TOWARDS_WALLS.take(wall), half_angle)
-        wall, room = wall.take(which), room.take(which)
+        which, cell, direction = rays.towards(robot, _TOWARDS_WALLS[wall], half_angle)
+        wall, room = wall[which], room[which]
         # The walls come in their order: first those across x, then those across y.
         along_y = int(np.searchsorted(wall, 2))
-        ahead = np.concatenate((np.cos(direction[:along_y]), np.sin(direction[along_y:]))) * _SIGNS.take(wall)
+        ahead = np.concatenate((np.cos(direction[:along_y]), np.sin(direction[along_y:]))) * _SIGNS[wall]
+        is_ahead = ahead > 0.0
         with np.errstate(over="ignore"):
-            rays.see(seen, cell, np.divide(room, ahead, out=np.full_like(room, np.inf), where=ahead > 0.0))
+            rays.see(seen, cell, np.divide(room, ahead, out=room, where=is_ahead), is_ahead)
 
     def _look_at_things(self, rays: _Rays, rows: Rows, seen: Floats) -> None:
         """Measure to obstacles, robots and loose bodies."""
         visible, pairs = self._visible, self._nearby.pairs(rows, rays.max_range)
-        x = visible.poses[0].take(pairs.thing) - rays.x.take(pairs.robot)
-        y = visible.poses[1].take(pairs.thing) - rays.y.take(pairs.robot)
+        x = visible.poses[0][pairs.thing] - rays.x[pairs.robot]
+        y = visible.poses[1][pairs.thing] - rays.y[pairs.robot]
         squared = x * x + y * y
         near = np.flatnonzero(squared <= pairs.reach_squared)
-        x, y, radius, thing = x.take(near), y.take(near), pairs.radius.take(near), pairs.thing.take(near)
-        distance = np.sqrt(squared.take(near))
+        x, y, radius, thing = x[near], y[near], pairs.radius[near], pairs.thing[near]
+        distance = np.sqrt(squared[near])
         half_angle = np.arcsin(radius / np.maximum(distance, radius))
         half_angle[distance <= radius] = np.pi
-        which, cell, direction = rays.towards(pairs.robot.take(near), np.arctan2(y, x), half_angle)
-        tries = _Tries(thing.take(which), x.take(which), y.take(which), direction)
+        which, cell, direction = rays.towards(pairs.robot[near], np.arctan2(y, x), half_angle)
+        tries = _Tries(thing[which], x[which], y[which], direction)
         rounding = visible.shapes.rounding
         if not rounding.any():
-            rays.see(seen, cell, _to_boxes(visible, tries))
+            rays.see(seen, cell, *_to_boxes(visible, tries))
             return
-        is_disc = rounding.take(tries.thing) > 0.0
+        is_disc = rounding[tries.thing] > 0.0
         for chosen, measure in ((~is_disc, _to_boxes), (is_disc, _to_discs)):
-            rays.see(seen, cell[chosen], measure(visible, tries.some(chosen)))
+            rays.see(seen, cell[chosen], *measure(visible, tries.some(chosen)))
 
 
 class _Rays:
@@ -151,14 +152,14 @@ class _Rays:
             in the frame ``map`` [rad].
         """
         fan = self._fan
-        which, ray = fan.towards(way - self._heading.take(robot), half_angle)
-        robot = robot.take(which)
-        return which, robot * fan.bearings.size + ray, self._yaw.take(robot) + fan.bearings.take(ray)
+        which, ray = fan.towards(way - self._heading[robot], half_angle)
+        robot = robot[which]
+        return which, robot * fan.bearings.size + ray, self._yaw[robot] + fan.bearings[ray]
 
-    def see(self, seen: Floats, cell: Rows, distance: Floats) -> None:
-        """Shorten what is seen along rays to distances, as far as they go [m]."""
-        near = np.flatnonzero(distance <= self.max_range)
-        np.minimum.at(seen, cell.take(near), distance.take(near))
+    def see(self, seen: Floats, cell: Rows, distance: Floats, is_hit: NDArray[np.bool_]) -> None:
+        """Shorten what is seen along rays to distances where something is hit, as far as they go [m]."""
+        near = np.flatnonzero(is_hit & (distance <= self.max_range))
+        np.minimum.at(seen, cell[near], distance[near])
 
 
 class _Tries(NamedTuple):
@@ -180,16 +181,16 @@ class _Tries(NamedTuple):
         return _Tries(self.thing[chosen], self.x[chosen], self.y[chosen], self.direction[chosen])
 
 
-def _to_boxes(visible: Visible, tries: _Tries) -> Floats:
-    """Measure along rays to boxes; infinity for a miss [m]."""
+def _to_boxes(visible: Visible, tries: _Tries) -> Tuple[Floats, NDArray[np.bool_]]:
+    """Measure along rays to boxes [m], and tell which are hit."""
     thing, x, y, direction = tries
-    cos, sin = visible.cos.take(thing), visible.sin.take(thing)
-    turned = direction - visible.poses[2].take(thing)
+    cos, sin = visible.cos[thing], visible.sin[thing]
+    turned = direction - visible.poses[2][thing]
     with np.errstate(over="ignore"):
-        enters_x, leaves_x = _between(cos * x + sin * y, visible.shapes.half_size[0].take(thing), np.cos(turned))
-        enters_y, leaves_y = _between(cos * y - sin * x, visible.shapes.half_size[1].take(thing), np.sin(turned))
+        enters_x, leaves_x = _between(cos * x + sin * y, visible.shapes.half_size[0][thing], np.cos(turned))
+        enters_y, leaves_y = _between(cos * y - sin * x, visible.shapes.half_size[1][thing], np.sin(turned))
     enters, leaves = np.maximum(enters_x, enters_y), np.minimum(leaves_x, leaves_y)
-    return np.where((enters <= leaves) & (enters >= 0.0), enters, np.inf)
+    return enters, (enters <= leaves) & (enters >= 0.0)
 
 
 def _between(centre: Floats, half_size: Floats, ahead: Floats) -> Tuple[Floats, Floats]:
@@ -206,11 +207,11 @@ def _between(centre: Floats, half_size: Floats, ahead: Floats) -> Tuple[Floats, 
     return (centre - half_size) / ahead, (centre + half_size) / ahead
 
 
-def _to_discs(visible: Visible, tries: _Tries) -> Floats:
-    """Measure along rays to discs; infinity for a miss [m]."""
+def _to_discs(visible: Visible, tries: _Tries) -> Tuple[Floats, NDArray[np.bool_]]:
+    """Measure along rays to discs [m], and tell which are hit."""
     thing, x, y, direction = tries
-    cos, sin, radius = np.cos(direction), np.sin(direction), visible.shapes.rounding.take(thing)
+    cos, sin, radius = np.cos(direction), np.sin(direction), visible.shapes.rounding[thing]
     along, across = cos * x + sin * y, cos * y - sin * x
     half_chord_squared = radius * radius - across * across
     enters = along - np.sqrt(np.maximum(half_chord_squared, 0.0))
-    return np.where((half_chord_squared >= 0.0) & (enters >= 0.0), enters, np.inf)
+    return enters, (half_chord_squared >= 0.0) & (enters >= 0.0)
