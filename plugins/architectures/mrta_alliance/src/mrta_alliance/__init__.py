@@ -9,7 +9,7 @@
 * ``fairness``: an extension, by which perpetual tasks share the time
 * ``messages``: what is said; ``agent``: the robot's decisions; ``newcomers``: parameters of tasks that appear
 * ``interpreter``: tells from the messages what became of an allocation
-* ``panel``: motivation against threshold, for pictures
+* ``panel``: motivation against threshold, for pictures; ``detailed_panel``: all that it is made of
 * ``inner_life``: what goes on in behaviour sets, as it is heard; ``traces``: how it is kept
 * ``figures``: charts of it, drawn at the end; ``file_names``: made of ids
 * ``plots``: definitions of plots for ``multiplot`` and ``plot_juggler``; ``xml_text``: how they are written

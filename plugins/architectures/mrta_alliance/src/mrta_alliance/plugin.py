@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, Mapping, Sequence
 
 from mrta_alliance.agent import AllianceAgent
+from mrta_alliance.detailed_panel import DetailedPanel
 from mrta_alliance.figures import AllianceFigures
 from mrta_alliance.interpreter import AllianceInterpreter
 from mrta_alliance.panel import MotivationPanel
@@ -50,8 +51,8 @@ def mrta_register_allocation_interpreters() -> Mapping[str, AllocationInterprete
 
 @hookimpl
 def mrta_register_monitor_panels() -> Mapping[str, MonitorPanelFactory]:
-    """Name the panel as rqt_alliance's rqt plugin is named, so that original files show it."""
-    return {"rqt_alliance/alliance_plugin": MotivationPanel}
+    """Name the overview as rqt_alliance's rqt plugin is named, so that original files show it, and the details."""
+    return {"rqt_alliance/alliance_plugin": MotivationPanel, "rqt_alliance/detailed": DetailedPanel}
 
 
 @hookimpl

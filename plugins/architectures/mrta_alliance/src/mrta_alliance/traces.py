@@ -48,6 +48,10 @@ class Slope:
         last = bisect_right(self._times, end) + 1
         return tuple(self._times[first:last]), tuple(self._values[first:last])
 
+    def at(self, time: float) -> float:
+        """Give the newest value that was kept by a time [s]; NaN if there was none."""
+        return _newest(self._times, self._values, time)
+
 
 class Steps:
     """A value that lasts until another one is told."""
@@ -87,6 +91,10 @@ class Steps:
             values.append(values[-1])
         return tuple(times), tuple(values)
 
+    def at(self, time: float) -> float:
+        """Give the value that holds at a time [s]; NaN if there was none."""
+        return _newest(self._times, self._values, time)
+
     def largest(self) -> float:
         """Give the largest value so far; 0 if none was above."""
         return max([0.0, *(value for value in self._values if value < math.inf)])
@@ -117,6 +125,11 @@ def thinned(points: Points, most: int) -> Points:
         kept += _telling(values, begin, after)
         begin = after
     return tuple(times[index] for index in kept), tuple(values[index] for index in kept)
+
+
+def _newest(times: array[float], values: array[float], time: float) -> float:
+    index = bisect_right(times, time) - 1
+    return values[index] if index >= 0 else math.nan
 
 
 def _telling(values: Sequence[float], begin: int, end: int) -> List[int]:
