@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import Any, Dict, List
 
 from rqt_mrta_py.hooks import Outgoing
+from rqt_mrta_py.supervisor import team_news
 from rqt_mrta_py.supervisor.plugin import mrta_register_incident_rules
 from rqt_mrta_py.transport import RosCodec
 from tests.supervisor.mini import Stream, mission
@@ -66,7 +67,7 @@ def test_team_state_tells_everything_at_a_moment() -> None:
     stream = Stream(mission(tasks=("patrol",)))
     stream.tick(1.0)
     stream.busy(2.0, "robot2", "patrol")
-    message = stream.supervisor.team_state(2.5)
+    message = team_news(stream.supervisor.record(2.5), 2.5)
     assert (message.topic, message.type, message.latched) == ("/mrta/team_state", "rqt_mrta_py/TeamState", True)
     start = {"header": {"stamp": 2.0}, "start": 2.0, "end": 0.0, "outcome": 0}
     assert message.fields == {
@@ -88,7 +89,7 @@ def test_every_message_fits_its_published_type(root: Path) -> None:
     stream.busy(1.5, "robot1", "patrol")
     stream.tick(9.0)
     stream.odom(10.0, "robot1")
-    news = [*stream.supervisor.news(), stream.supervisor.team_state(10.0)]
+    news = [*stream.supervisor.news(), team_news(stream.supervisor.record(10.0), 10.0)]
     codec = RosCodec(lookup)
     assert {message.topic for message in news} == {
         "/mrta/robot_state",

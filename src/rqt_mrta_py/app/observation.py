@@ -27,7 +27,7 @@ from rqt_mrta_py.hooks import (
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Event, Mission, MissionRecord
 from rqt_mrta_py.render import SceneTracker
-from rqt_mrta_py.supervisor import Supervisor
+from rqt_mrta_py.supervisor import Supervisor, team_news
 from rqt_mrta_py.transport import Batch, Dispatcher
 from rqt_mrta_py.wording import accepted
 
@@ -106,6 +106,10 @@ class Observation:
             now: the moment, on the stream's clock [s]; everything up to it has been fed.
         """
         return self._view(now, self.supervisor.record(now), now - CURVE_WINDOW, whole=False)
+
+    def team_state(self, view: MonitorView) -> Outgoing:
+        """Give the whole team at a view's moment as a message to publish."""
+        return team_news(view.record, view.now)
 
     def finish(self) -> MissionRecord:
         """End the stream and sum up; to be called once."""

@@ -1,11 +1,11 @@
 """Watches the stream: what robots, tasks and allocations become, what goes wrong, and what that sums up to.
 
 * ``supervisor``: hears the stream, drives the rest, gives records and messages; the place to begin
+* ``sightings``: that messages came, ``presence``: whose they are, ``message_key``: what points at one
 * ``ears``: what to hear, and what the team is told for it; ``statements``: what follows from what is stated
-* ``topics``, ``readers``, ``presence``: which topics an architecture has, how messages tell robots and tasks;
-  ``message_key``: what points at one
+* ``topics``, ``readers``: which topics an architecture has, how their messages tell robots and tasks
 * ``team``: derives facts; ``robots``, ``tasks``, ``allocations`` keep one thing each, ``timeline`` their histories
-* ``agenda``: what falls due when; ``copies``: a team that looks ahead without moving on
+* ``agenda``: what falls due when; ``copies``: a team that looks ahead without moving on; ``making``: values of a record
 * ``desk``, ``rules``: incidents; ``failures``: plugins that raise on the way
 * ``journal``, ``news``, ``summary``: the same for readers, for other nodes, for programs
 * ``statistics``: numbers of a finished mission
@@ -14,7 +14,8 @@
 
 from __future__ import annotations
 
+from rqt_mrta_py.supervisor.news import team_news
 from rqt_mrta_py.supervisor.summary import event_lines, incident_lines, summary
 from rqt_mrta_py.supervisor.supervisor import Supervisor
 
-__all__ = ["Supervisor", "event_lines", "incident_lines", "summary"]
+__all__ = ["Supervisor", "event_lines", "incident_lines", "summary", "team_news"]

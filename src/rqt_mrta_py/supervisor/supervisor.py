@@ -29,7 +29,7 @@ from rqt_mrta_py.supervisor.ears import Callback, Ears
 from rqt_mrta_py.supervisor.failures import checked, failure
 from rqt_mrta_py.supervisor.journal import event_of_fact, event_of_incident, event_of_unreadable
 from rqt_mrta_py.supervisor.message_key import MessageKey, key_of
-from rqt_mrta_py.supervisor.news import event_news, fact_news, incident_news, team_news
+from rqt_mrta_py.supervisor.news import event_news, fact_news, incident_news
 from rqt_mrta_py.supervisor.team import Team, TeamSetup
 from rqt_mrta_py.supervisor.topics import Topics
 
@@ -153,10 +153,6 @@ class Supervisor:
         """Give what changed since this was last asked, as messages to publish, in the order in which it was noticed."""
         unbuilt, self._news = self._news, []
         return [message for build in unbuilt for message in build()]
-
-    def team_state(self, now: float) -> Outgoing:
-        """Give the whole team at a moment [s] as a message to publish."""
-        return team_news(self.record(now), now)
 
     def _enter(self, message: MessageKey) -> None:
         """Come to a message: once for each, whoever hears it first."""

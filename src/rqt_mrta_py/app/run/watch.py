@@ -112,7 +112,7 @@ class Watch:
         yield self._plan.observation, "feed_batch", "supervision"
         yield self._plan.observation, "news", "supervision"
         yield self._plan.observation, "view", "views"
-        yield self._plan.observation.supervisor, "team_state", "views"
+        yield self._plan.observation, "team_state", "views"
         if self._plan.pictures is not None:
             yield self._plan.pictures, "draw", "drawing"
 
@@ -141,7 +141,7 @@ class Watch:
         if state_is_due or picture_is_due:
             view = observation.view(now)
             if state_is_due:
-                self._publish([observation.supervisor.team_state(now), team_markers(view, now)], now)
+                self._publish([observation.team_state(view), team_markers(view, now)], now)
             if pictures is not None and picture_is_due:
                 pictures.draw(tick, view)
         if pictures is not None:
