@@ -9,8 +9,8 @@ from typing import Callable, Iterable, List, Optional, Sequence, Tuple
 
 import pytest
 
-from rqt_mrta_py.hooks import Connection, Stamped
-from rqt_mrta_py.transport import BagWriter, Batch
+from rqt_mrta_py.hooks import Connection, Outgoing, Stamped, Subscription
+from rqt_mrta_py.transport import BagWriter, Batch, Node
 
 ROOT = Path(__file__).resolve().parents[2]
 ROS_PYTHON = "/usr/bin/python3"
@@ -71,6 +71,16 @@ class ListLink:
     def deliveries(self, sender: str, receiver: str, now: float) -> Sequence[float]:
         self.asked.append((sender, receiver, now))
         return self.answer(sender, receiver)
+
+
+def text(topic: str, data: str = "", latched: bool = False) -> Outgoing:
+    """Say a text."""
+    return Outgoing(topic, "std_msgs/String", {"data": data}, latched)
+
+
+def listen(node: Node, topic: str, into: List[str], type_name: str = "std_msgs/String") -> None:
+    """Let a node note the texts that it hears."""
+    node.subscribe(Subscription(topic, type_name, ("data",)), lambda heard: into.append(heard.fields["data"]))
 
 
 def batches(stream: Iterable[Stamped]) -> List[Batch]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Callable, Dict, List, Mapping, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Sequence, Tuple
 
 import numpy as np
 import pytest
@@ -11,7 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.transport import RosCodec
+from rqt_mrta_py.hooks import Page
+from rqt_mrta_py.transport import Batch, RosCodec
+from rqt_mrta_py.transport.batch import Run
 from tests.transport.support import lookup
 
 _KINDS = {
@@ -37,6 +39,17 @@ def codec_of_kinds() -> RosCodec:
 
 
 CODEC = codec_of_kinds()
+
+
+def written(codec: RosCodec, type_name: str, columns: Mapping[str, Any], count: int) -> List[bytes]:
+    """Serialise columns, and cut the messages apart."""
+    return cut(codec.encode_columns(type_name, columns, count), count)
+
+
+def cut(page: Page, count: int) -> List[bytes]:
+    connections = (CODEC.connection("/t", "std_msgs/Empty"),) * count
+    return list(Batch(connections, 0, page.content, [Run(*run) for run in page.runs]).raws)
+
 
 Maker = Callable[[int], "st.SearchStrategy[Any]"]
 """From the number of messages to the columns that a field may have."""
@@ -196,7 +209,20 @@ def test_columns_become_what_their_rows_become_one_by_one(
     type_name, count, *calls = drawn
     for columns in (*calls, *calls):
         expected = [CODEC.encode(type_name, fields_of(columns, row)) for row in range(count)]
-        assert CODEC.encode_columns(type_name, columns, count) == expected
+        page = CODEC.encode_columns(type_name, columns, count)
+        assert cut(page, count) == expected
+        assert_read_alike(type_name, page, expected, list(columns))
+
+
+def assert_read_alike(type_name: str, page: Page, raws: Sequence[bytes], paths: Sequence[str]) -> None:
+    """What is read of all messages at once is what is read of each, down to the types of numbers."""
+    connection = CODEC.connection("/t", type_name)
+    readable = [path for path in paths if not any(step.isdigit() for step in path.split("/"))]
+    for asked in (*[(path,) for path in readable], tuple(readable)):
+        rows = page.read(asked)
+        if rows is not None:
+            reader = CODEC.compile(connection, asked)
+            assert repr(rows) == repr([dict(zip(asked, reader(raw))) for raw in raws])
 
 
 def kinds(**changes: Any) -> Dict[str, Any]:
@@ -302,7 +328,7 @@ def test_what_does_not_fit_is_refused_by_its_path_at_first_and_later(changes: Di
         with pytest.raises(TransportError) as caught:
             codec.encode_columns("columns/Kinds", kinds(**changes), 2)
         assert str(caught.value).startswith(f"columns/Kinds: {problem}")
-        good = codec.encode_columns("columns/Kinds", kinds(), 2)
+        good = written(codec, "columns/Kinds", kinds(), 2)
         assert good == [codec.encode("columns/Kinds", fields_of(kinds(), row)) for row in range(2)]
 
 
@@ -316,7 +342,7 @@ def test_the_row_is_named_only_among_several() -> None:
 
 def test_shared_numbers_that_change_are_written_anew() -> None:
     for speed in (1.0, 2.0, 2, True, 0.0, -0.0):
-        raws = CODEC.encode_columns("geometry_msgs/Twist", {"linear/x": speed, "angular/z": np.ones(2)}, 2)
+        raws = written(CODEC, "geometry_msgs/Twist", {"linear/x": speed, "angular/z": np.ones(2)}, 2)
         assert raws == [CODEC.encode("geometry_msgs/Twist", {"linear": {"x": speed}, "angular": {"z": 1.0}})] * 2
 
 
@@ -324,13 +350,13 @@ def test_columns_are_read_where_they_lie_and_left_as_they_are() -> None:
     table = np.arange(12.0).reshape(4, 3)
     columns = {"linear/x": table[::2, 1], "linear/y": np.broadcast_to(np.float64(7.0), 2)}
     for _ in range(2):
-        raws = CODEC.encode_columns("geometry_msgs/Twist", columns, 2)
+        raws = written(CODEC, "geometry_msgs/Twist", columns, 2)
         assert raws == [CODEC.encode("geometry_msgs/Twist", {"linear": {"x": x, "y": 7.0}}) for x in (1.0, 7.0)]
     assert table.tolist() == np.arange(12.0).reshape(4, 3).tolist()
 
 
 def test_no_messages_are_no_messages() -> None:
-    assert CODEC.encode_columns("geometry_msgs/Twist", {"linear/x": np.zeros(0), "linear/y": 1.0}, 0) == []
+    assert written(CODEC, "geometry_msgs/Twist", {"linear/x": np.zeros(0), "linear/y": 1.0}, 0) == []
     with pytest.raises(TransportError, match="linear/x: 1 rows; accepted is one for each of 0 messages"):
         CODEC.encode_columns("geometry_msgs/Twist", {"linear/x": np.zeros(1)}, 0)
 
@@ -340,5 +366,5 @@ def test_more_forms_than_are_kept_are_written_all_the_same() -> None:
     for _ in range(2):
         for width in range(40):
             ranges = np.full((2, width), 0.5)
-            raws = codec.encode_columns("sensor_msgs/LaserScan", {"ranges": ranges}, 2)
+            raws = written(codec, "sensor_msgs/LaserScan", {"ranges": ranges}, 2)
             assert raws == [codec.encode("sensor_msgs/LaserScan", {"ranges": [0.5] * width})] * 2

@@ -70,6 +70,28 @@ def test_rows_are_carried_as_if_each_node_had_published_its_own(team: Team) -> N
     assert [len(batch) for batch in team.told] == [2, 1, 2, 1]
 
 
+def test_numbers_that_most_ask_for_are_heard_as_each_would_have_read_them(team: Team) -> None:
+    """A scan asks for what columns say, for what they do not say, and for nothing."""
+    alone = Team()
+    heard: Dict[str, List[Any]] = {"together": [], "alone": []}
+    for each, into in ((team, heard["together"]), (alone, heard["alone"])):
+        for node in (*each.drivers, each.bus.node("/robot2/other", "robot2")):
+            for paths in (("ranges",), ("angle_min", "ranges"), ("header/frame_id", "range_max"), ()):
+                node.subscribe(Subscription("scan", "sensor_msgs/LaserScan", paths), into.append)
+    for now in (1.0, 1.5):
+        ranges = np.array([[0.1, now], [2.0, np.inf]])
+        columns = {"header/stamp": now, "header/frame_id": ("a", "b"), "angle_min": -1.5, "ranges": ranges}
+        team.bus.publish_together(team.drivers, "scan", "sensor_msgs/LaserScan", columns, now)
+        for node, name, row in zip(alone.drivers, "ab", ranges.tolist()):
+            header = {"stamp": now, "frame_id": name}
+            fields = {"header": header, "angle_min": -1.5, "ranges": row}
+            node.publish(Outgoing("scan", "sensor_msgs/LaserScan", fields), now)
+    team.bus.deliver(2.0)
+    alone.bus.deliver(2.0)
+    assert repr(heard["together"]) == repr(heard["alone"])
+    assert len(heard["together"]) == 24
+
+
 def test_what_each_says_is_carried_in_order_and_told_in_one_batch(team: Team) -> None:
     alone = Team()
     for each in (team, alone):
@@ -83,6 +105,20 @@ def test_what_each_says_is_carried_in_order_and_told_in_one_batch(team: Team) ->
     assert team.record() == alone.record()
     assert [len(batch) for batch in team.told] == [4, 4]
     assert [len(batch) for batch in alone.told] == [1] * 8
+
+
+def test_a_tuple_that_is_said_again_is_carried_again(team: Team) -> None:
+    team.tap()
+    held = (pose(1.0, 1.0), Outgoing("word", "std_msgs/String", {"data": "on"}))
+    for now, said in ((1.0, held), (1.5, ()), (2.0, held), (2.5, held[:1])):
+        team.bus.publish_each([(team.drivers[0], said)], now)
+    team.bus.deliver(3.0)
+    assert [[stamped.connection.topic for stamped in batch] for batch in team.told] == [
+        ["/robot1/pose", "/robot1/word"],
+        ["/robot1/pose", "/robot1/word"],
+        ["/robot1/pose"],
+    ]
+    assert [heard.fields["header/seq"] for name, heard in team.heard if name == "/robot1/agent"] == [1, 2, 3]
 
 
 def test_a_seq_that_is_given_is_kept(team: Team) -> None:

@@ -104,9 +104,11 @@ from rqt_mrta_py.hooks.stream import (
     Listener,
     Outgoing,
     OutgoingRows,
+    Page,
     Sighting,
     Stamped,
     Subscription,
+    TeamHeard,
     TeamOutgoing,
 )
 from rqt_mrta_py.hooks.verb import Verb
@@ -181,6 +183,7 @@ __all__ = [
     "ObserverSetup",
     "Outgoing",
     "OutgoingRows",
+    "Page",
     "PanelSetup",
     "ParameterProblem",
     "Perception",
@@ -216,6 +219,7 @@ __all__ = [
     "Subscription",
     "TaskReport",
     "TaskStateChanged",
+    "TeamHeard",
     "TeamMoment",
     "TeamOutgoing",
     "TeamSensor",

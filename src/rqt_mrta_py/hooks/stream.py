@@ -8,7 +8,19 @@ answer what to say (``Outgoing``). Stamps in the stream are integer nanoseconds,
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, NamedTuple, Protocol, Sequence, Tuple, Union
+from typing import (
+    TYPE_CHECKING,
+    Any,
+    Callable,
+    Dict,
+    Mapping,
+    NamedTuple,
+    Optional,
+    Protocol,
+    Sequence,
+    Tuple,
+    Union,
+)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -24,9 +36,11 @@ __all__ = [
     "Listener",
     "Outgoing",
     "OutgoingRows",
+    "Page",
     "Sighting",
     "Stamped",
     "Subscription",
+    "TeamHeard",
     "TeamOutgoing",
 ]
 
@@ -109,6 +123,21 @@ class Heard(NamedTuple):
     ordinal: int = 0
 
 
+class TeamHeard(NamedTuple):
+    """Messages that nodes of a team heard at one moment, column by column, in the order in which they arrived.
+
+    Attributes:
+        rows: which of the nodes heard each, from 0 in the order in which they subscribed; one node may have heard more
+            than one.
+        receipts: when each was received, on the clock of the node that heard it [s].
+        fields: of each, as in Heard; a message that was said again has the same object again.
+    """
+
+    rows: Sequence[int]
+    receipts: Sequence[float]
+    fields: Sequence[Mapping[str, Any]]
+
+
 class Outgoing(NamedTuple):
     """A message that somebody wants to publish; a value, so whoever publishes it again says the same again.
 
@@ -176,6 +205,32 @@ FieldReader = Callable[[bytes], Tuple[Any, ...]]
 """From a message's bytes to the values of the compiled paths, in their order."""
 
 
+class Page(Protocol):
+    """Messages of one type, one after the other, as they were serialised column by column."""
+
+    @property
+    def content(self) -> bytes:
+        """Their bytes."""
+        ...
+
+    @property
+    def runs(self) -> Sequence[Tuple[int, int]]:
+        """Neighbours that are equally long: how many, and the size of each [bytes]. They cover the content."""
+        ...
+
+    def read(self, paths: Tuple[str, ...]) -> Optional[Sequence[Mapping[str, Any]]]:
+        """Read fields of all messages in one go, where that is possible.
+
+        Args:
+            paths: joined by ``/``, which ``Codec.compile`` accepts.
+
+        Returns:
+            Of each message its values by path, as the function that ``Codec.compile`` gives for these paths reads
+            them; None where they have to be read one by one.
+        """
+        ...
+
+
 class Codec(Protocol):
     """Turns fields into bytes and back; knows message types with or without ROS."""
 
@@ -218,7 +273,7 @@ class Codec(Protocol):
         """
         ...
 
-    def encode_columns(self, type_name: str, columns: Mapping[str, Column], count: int) -> List[bytes]:
+    def encode_columns(self, type_name: str, columns: Mapping[str, Column], count: int) -> Page:
         """Serialise messages of one type, column by column.
 
         Args:

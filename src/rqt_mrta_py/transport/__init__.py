@@ -20,6 +20,7 @@ from rqt_mrta_py.transport.codec.ros_codec import RosCodec
 from rqt_mrta_py.transport.dispatch import Dispatcher
 from rqt_mrta_py.transport.embedded.bus import Bus
 from rqt_mrta_py.transport.embedded.node import Node
+from rqt_mrta_py.transport.embedded.team_ear import TeamEar
 from rqt_mrta_py.transport.packing import BatchPacker, BatchUnpacker
 
 __all__ = [
@@ -35,6 +36,7 @@ __all__ = [
     "Dispatcher",
     "Node",
     "RosCodec",
+    "TeamEar",
     "read_bag",
     "read_bag_info",
 ]

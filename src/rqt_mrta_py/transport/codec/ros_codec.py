@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple
 
-from rqt_mrta_py.hooks import Column, Connection, FieldReader
+from rqt_mrta_py.hooks import Column, Connection, FieldReader, Page
 from rqt_mrta_py.transport.codec.columns import ColumnEncoder
 from rqt_mrta_py.transport.codec.definitions import Definition, parse_definition
 from rqt_mrta_py.transport.codec.forms import FormedEncoder
@@ -59,7 +59,7 @@ class RosCodec:
             encoder = self._encoders[type_name] = FormedEncoder(self._library.definition(type_name))
         return encoder.write(fields)
 
-    def encode_columns(self, type_name: str, columns: Mapping[str, Column], count: int) -> List[bytes]:
+    def encode_columns(self, type_name: str, columns: Mapping[str, Column], count: int) -> Page:
         """Serialise messages column by column; see ``hooks.Codec``."""
         encoder = self._column_encoders.get(type_name)
         if encoder is None:

@@ -4,33 +4,44 @@ Order is fully defined. A node hears what is due in the order of (arrival, sendi
 which they were made; the link is asked for each node in that same order. A message published while nodes are being
 served is heard in the next round. Time never goes back.
 
+A team that hears together is served like a node that was made when its callback joined, in the order of (arrival,
+sending) over all of its nodes; for the link each of them stays a node at its own place.
+
 Nodes of one robot, and nodes of none, hear one another at once; between any others the link is asked.
 """
 
 from __future__ import annotations
 
-from typing import Callable, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple
+from typing import Callable, Dict, Iterable, List, Mapping, Optional, Protocol, Sequence, Tuple
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Codec, Column, Connection, Link, Outgoing
-from rqt_mrta_py.transport.batch import Batch
+from rqt_mrta_py.hooks import Codec, Column, Connection, Link, Outgoing, Subscription, TeamHeard
+from rqt_mrta_py.transport.batch import Batch, Run
 from rqt_mrta_py.transport.codec.definitions import parse_definition
+from rqt_mrta_py.transport.embedded.choir import Choir
 from rqt_mrta_py.transport.embedded.inbox import Hearing, Inbox, Message, Read
 from rqt_mrta_py.transport.embedded.node import Node
-from rqt_mrta_py.transport.embedded.publisher import Publisher, encode_together
+from rqt_mrta_py.transport.embedded.publisher import Publisher
+from rqt_mrta_py.transport.embedded.team_ear import TeamEar
 from rqt_mrta_py.transport.embedded.wiring import Ear, Wiring
 
-__all__ = ["Bus"]
+__all__ = ["Bus", "Hearer"]
 
 _MOST_CHOIRS = 64
 """How many groups of nodes that publish together are remembered."""
 
 
-class _Choir(NamedTuple):
-    """Publishers that publish together."""
+class Hearer(Protocol):
+    """A node, or a team that hears together."""
 
-    publishers: Tuple[Publisher, ...]
-    connections: Tuple[Connection, ...]
+    @property
+    def inbox(self) -> Inbox:
+        """What is on its way to it."""
+        ...
+
+    def hear(self) -> None:
+        """Hear what the inbox holds as due."""
+        ...
 
 
 class Bus:
@@ -45,12 +56,13 @@ class Bus:
         self.codec = codec
         self.link = link
         self._nodes: Dict[str, Node] = {}
+        self._hearers: List[Hearer] = []
         self._taps: List[Callable[[Batch], None]] = []
         self._wiring = Wiring(codec)
         self._publishers: Dict[Tuple[str, str, str, bool], Publisher] = {}
         # Only those that keep a message for late subscribers, in the order in which they were made.
         self._latched: Dict[str, List[Publisher]] = {}
-        self._choirs: Dict[Tuple[Tuple[Node, ...], str, str], _Choir] = {}
+        self._choirs: Dict[Tuple[Tuple[Node, ...], str, str], Choir] = {}
         self._line_ups: Dict[Tuple[int, ...], Tuple[Connection, ...]] = {}
         self._headers: Dict[str, str] = {}
         self._now = float("-inf")
@@ -70,7 +82,30 @@ class Bus:
         if not name.startswith("/") or name in self._nodes:
             raise ValueError(f"{name!r} cannot be the name of a node: taken, or without leading slash")
         node = self._nodes[name] = Node(self, len(self._nodes), name, robot, remappings)
+        self._hearers.append(node)
         return node
+
+    def subscribe_together(
+        self, nodes: Sequence[Node], subscription: Subscription, callback: Callable[[TeamHeard], None]
+    ) -> TeamEar:
+        """Let nodes hear a topic from now on, and tell one callback of all that they hear in a round.
+
+        Args:
+            nodes: who hear, in the order of rows.
+            subscription: its topic is resolved in each node's namespace and remapped.
+            callback: is told when messages are delivered.
+
+        Returns:
+            What ``deliver`` serves.
+
+        Raises:
+            TransportError: the topic is no name that ROS accepts.
+        """
+        ear = TeamEar(nodes, callback)
+        self._hearers.append(ear)
+        for row, node in enumerate(nodes):
+            node.join(subscription, ear.inbox, row)
+        return ear
 
     def tap(self, callback: Callable[[Batch], None]) -> None:
         """Tell a callback of each message once, as it is published, before loss and delay.
@@ -80,25 +115,24 @@ class Bus:
         """
         self._taps.append(callback)
 
-    def deliver(self, now: float, nodes: Optional[Sequence[Node]] = None) -> None:
+    def deliver(self, now: float, hearers: Optional[Sequence[Hearer]] = None) -> None:
         """Let nodes hear what is due; what is published meanwhile is heard in the next round.
 
         Args:
             now: the time [s].
-            nodes: who hears, in this order; None: all, in the order in which they were made.
+            hearers: who hears, in this order; None: all, in the order in which they were made.
 
         Raises:
             ValueError: the bus's time is later already.
         """
         self.advance(now)
-        hearers = self._nodes.values() if nodes is None else nodes
-        due: List[Node] = []
-        for node in hearers:
-            inbox = node.inbox
+        due: List[Hearer] = []
+        for hearer in self._hearers if hearers is None else hearers:
+            inbox = hearer.inbox
             if (inbox.arrived or inbox.delayed or inbox.due) and inbox.collect(now):
-                due.append(node)
-        for node in due:
-            node.hear()
+                due.append(hearer)
+        for hearer in due:
+            hearer.hear()
 
     def publisher(self, node: Node, topic: str, type_name: str, latched: bool) -> Publisher:
         """Give a node's way onto a topic; nodes call this.
@@ -139,25 +173,19 @@ class Bus:
         """
         if now != self._now:
             self.advance(now)
-        codec, tapped = self.codec, bool(self._taps)
+        codec, wiring, tapped = self.codec, self._wiring, bool(self._taps)
         connections: List[Connection] = []
         raws: List[bytes] = []
         try:
             for node, messages in said:
-                publishers = node.publishers
-                for message in messages:
-                    topic_name, type_name, _, latched = message
-                    publisher = publishers.get((topic_name, type_name, latched))
-                    if publisher is None:
-                        publisher = node.publisher(topic_name, type_name, latched)
-                    topic = publisher.topic
-                    ordinal = next(topic.ordinals)
+                for publisher, message in node.ways(messages):
                     publisher.seq += 1
-                    if publisher.version != topic.version:
-                        self._rewire(publisher)
-                    heard = latched or publisher.receivers
+                    ordinal = next(publisher.ordinals)
+                    if publisher.version != wiring.version:
+                        publisher.look_around(wiring)
+                    heard = message.latched or publisher.receivers
                     if heard or tapped:
-                        raw = publisher.encode(codec, message)
+                        raw = publisher.raw if message is publisher.said else publisher.encode(codec, message)
                         connections.append(publisher.connection)
                         raws.append(raw)
                         if heard:
@@ -185,23 +213,24 @@ class Bus:
         """
         if now != self._now:
             self.advance(now)
-        publishers, connections = self._choir(nodes, topic, type_name)
-        ordinals: List[int] = []
-        heard = False
-        for publisher in publishers:
-            ordinals.append(next(publisher.topic.ordinals))
-            publisher.seq += 1
-            if publisher.version != publisher.topic.version:
-                self._rewire(publisher)
-            heard = heard or bool(publisher.receivers)
-        if not (heard or self._taps):
+        choir = self._choir(nodes, topic, type_name)
+        if choir.version != self._wiring.version:
+            choir.look_around(self._wiring)
+        ordinals = choir.count()
+        if not (ordinals and (choir.lines or self._taps)):
             return
-        raws = encode_together(self.codec, publishers, columns) if publishers else []
-        if self._taps and raws:
-            self._tell(Batch.of(connections, self._now_ns, raws))
-        if heard:
-            for publisher, ordinal, raw in zip(publishers, ordinals, raws):
-                self._hand_out(publisher, ordinal, raw, {})
+        page = choir.encode(self.codec, columns)
+        batch = Batch(choir.connections, self._now_ns, page.content, [Run(*run) for run in page.runs])
+        if self._taps:
+            self._tell(batch)
+        if choir.lines:
+            raws, reads = batch.raws, choir.read(page)
+            for row, connection, sender, robot, inbox, hearings in choir.lines:
+                message: Message = (connection, ordinals[row], raws[row], reads[row])
+                if robot == sender:
+                    inbox.arrived.append((now, message, hearings))
+                else:
+                    self._send(sender, robot, inbox, message, hearings)
 
     def subscribe(self, ear: Ear) -> None:
         """Let a new subscription hear; latched messages set out for it. Nodes call this."""
@@ -226,14 +255,13 @@ class Bus:
         self._now = now
         self._now_ns = round(now * 1e9)
 
-    def _choir(self, nodes: Sequence[Node], topic: str, type_name: str) -> _Choir:
+    def _choir(self, nodes: Sequence[Node], topic: str, type_name: str) -> Choir:
         key = (tuple(nodes), topic, type_name)
         choir = self._choirs.get(key)
         if choir is None:
             if len(self._choirs) >= _MOST_CHOIRS:
                 self._choirs.clear()
-            publishers = tuple(node.publisher(topic, type_name, False) for node in nodes)
-            choir = self._choirs[key] = _Choir(publishers, tuple(publisher.connection for publisher in publishers))
+            choir = self._choirs[key] = Choir([node.publisher(topic, type_name, False) for node in nodes])
         return choir
 
     def _line_up(self, connections: Sequence[Connection]) -> Tuple[Connection, ...]:
@@ -246,20 +274,14 @@ class Bus:
             known = self._line_ups[key] = tuple(connections)
         return known
 
-    def _rewire(self, publisher: Publisher) -> None:
-        """Find out anew who hears a publisher."""
-        publisher.receivers = self._wiring.receivers(publisher.topic, publisher.connection)
-        publisher.version = publisher.topic.version
-
     def _tell(self, batch: Batch) -> None:
         for tap in self._taps:
             tap(batch)
 
     def _hand_out(self, publisher: Publisher, ordinal: int, raw: bytes, read: Read) -> None:
         """Send a message to all who hear it."""
-        connection = publisher.connection
-        message: Message = (connection.topic, connection.type, connection.caller, ordinal, raw, read)
-        if connection.latched:
+        message: Message = (publisher.connection, ordinal, raw, read)
+        if publisher.connection.latched:
             publisher.last = message
         now, sender = self._now, publisher.robot
         for robot, inbox, hearings in publisher.receivers:

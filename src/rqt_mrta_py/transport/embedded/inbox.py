@@ -1,21 +1,29 @@
-"""What is on its way to one node of the embedded bus."""
+"""What is on its way to one hearer of the embedded bus: a node, or a team that hears together."""
 
 from __future__ import annotations
 
 import heapq
 from collections import deque
 from operator import itemgetter
-from typing import Any, Callable, Deque, Dict, List, Mapping, NamedTuple, Optional, Tuple
+from typing import Any, Deque, Dict, List, Mapping, NamedTuple, Optional, Tuple
 
-from rqt_mrta_py.hooks import FieldReader, Heard
+from rqt_mrta_py.hooks import Connection, FieldReader
 
 __all__ = ["Delivery", "Hearing", "Inbox", "Message", "Read"]
 
 
 class Hearing(NamedTuple):
-    """A subscription that a topic's messages suit, with what the tokens of the topic stand for."""
+    """A subscription that a topic's messages suit.
 
-    callback: Callable[[Heard], None]
+    Attributes:
+        hearer: who hears: a callback that takes a Heard; in a team that hears together, the row of the node.
+        robot: what ``@robot_id@`` stands for in the topic.
+        task: what ``@task_id@`` stands for.
+        paths: of the fields asked for.
+        reader: of these fields; None if there are none.
+    """
+
+    hearer: Any
     robot: str
     task: str
     paths: Tuple[str, ...]
@@ -25,25 +33,25 @@ class Hearing(NamedTuple):
 Read = Dict[Tuple[str, ...], Mapping[str, Any]]
 """What has been read of a message, by the paths that were asked for."""
 
-Message = Tuple[str, str, str, int, bytes, Read]
-"""A message under way: topic, type, caller, ordinal, bytes, and what has been read of them, whoever hears it.
+Message = Tuple[Connection, int, bytes, Read]
+"""A message under way: how it comes, its ordinal, its bytes, and what has been read of them, whoever hears it.
 
 A plain tuple, for there are tens of thousands a second.
 """
 
 Delivery = Tuple[float, Message, Tuple[Hearing, ...]]
-"""When a message arrives [s], the message, and the subscriptions of the node that mean it."""
+"""When a message arrives [s], the message, and the subscriptions that mean it, all of one node."""
 
 _arrival = itemgetter(0)
 
 
 class Inbox:
-    """Deliveries to one node: those that have arrived, those that are delayed, and those it is to hear now.
+    """Deliveries to one hearer: those that have arrived, those that are delayed, and those it is to hear now.
 
     Attributes:
         arrived: in the order of sending, which is that of their arrival; the bus appends to it.
         delayed: by arrival, then in the order of sending, as ``heapq`` has it.
-        due: what the node hears next, in order; it takes them from the left.
+        due: what the hearer hears next, in order; it takes them from the left.
     """
 
     __slots__ = ("_sent", "arrived", "delayed", "due")
@@ -87,3 +95,10 @@ class Inbox:
         self.arrived.clear()
         self.due.clear()
         self.delayed.clear()
+
+    def discard_row(self, row: int) -> None:
+        """Forget what is on its way to one node of a team."""
+        self.arrived = deque(delivery for delivery in self.arrived if delivery[2][0].hearer != row)
+        self.due = deque(delivery for delivery in self.due if delivery[2][0].hearer != row)
+        self.delayed = [item for item in self.delayed if item[2][2][0].hearer != row]
+        heapq.heapify(self.delayed)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, Iterable, Mapping, Optional, Protocol, Tuple
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Protocol, Sequence, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Heard, Outgoing, Subscription
@@ -13,6 +13,8 @@ from rqt_mrta_py.transport.embedded.wiring import Ear
 from rqt_mrta_py.transport.patterns import resolve_topic
 
 __all__ = ["Carrier", "Node"]
+
+_Way = Tuple[Publisher, Outgoing]
 
 _NOTHING: Mapping[str, Any] = {}
 
@@ -63,6 +65,9 @@ class Node:
         self._place = place
         self._remappings = dict(remappings or {})
         self._ears = 0
+        self._teams: List[Tuple[Inbox, int]] = []
+        self._said: Iterable[Outgoing] = ()
+        self._ways: Sequence[_Way] = ()
 
     def subscribe(self, subscription: Subscription, callback: Callable[[Heard], None]) -> None:
         """Hear a topic from now on, and the latched messages it already has.
@@ -74,10 +79,21 @@ class Node:
         Raises:
             TransportError: the topic is no name that ROS accepts.
         """
-        topic = resolve_topic(subscription.topic, self.name, self._remappings)
-        place = (self._place, self._ears)
-        self._ears += 1
-        self._bus.subscribe(Ear(place, self.name, self.robot, self.inbox, topic, subscription, callback))
+        self._hear(subscription, self.inbox, callback)
+
+    def join(self, subscription: Subscription, inbox: Inbox, row: int) -> None:
+        """Hear a topic together with a team from now on; the bus calls this.
+
+        Args:
+            subscription: its topic is resolved in this node's namespace and remapped.
+            inbox: of the team.
+            row: of this node in the team.
+
+        Raises:
+            TransportError: the topic is no name that ROS accepts.
+        """
+        self._teams.append((inbox, row))
+        self._hear(subscription, inbox, row)
 
     def publish(self, outgoing: Outgoing, now: float) -> None:
         """Publish a message; it is encoded only if somebody wants it.
@@ -113,6 +129,17 @@ class Node:
             self.publishers[topic, type_name, latched] = publisher
         return publisher
 
+    def ways(self, messages: Iterable[Outgoing]) -> Iterable[_Way]:
+        """Find the way of each message; the bus calls this.
+
+        Args:
+            messages: of this node; for the same tuple again their ways are known.
+
+        Raises:
+            TransportError: as ``publisher`` does, when its message is reached.
+        """
+        return self._ways if messages is self._said else self._find(messages)
+
     def deliver(self, now: float) -> None:
         """Hear everything that is due; what is published meanwhile is heard the next time.
 
@@ -131,17 +158,36 @@ class Node:
         inbox, offset = self.inbox, self.clock_offset
         # A callback may discard what is due, or have more delivered.
         while inbox.due:
-            arrival, (topic, type_name, caller, ordinal, raw, read), hearings = inbox.due.popleft()
+            arrival, (connection, ordinal, raw, read), hearings = inbox.due.popleft()
+            topic, type_name, caller = connection.topic, connection.type, connection.caller
             receipt = arrival + offset
             for callback, robot, task, paths, reader in hearings:
-                if reader is None:
-                    fields = _NOTHING
-                elif paths in read:
-                    fields = read[paths]
-                else:
-                    fields = read[paths] = dict(zip(paths, reader(raw)))
+                fields = read.get(paths)
+                if fields is None:
+                    fields = read[paths] = _NOTHING if reader is None else dict(zip(paths, reader(raw)))
                 callback(_new_heard(Heard, (topic, type_name, receipt, fields, robot, task, caller, ordinal)))
 
     def discard(self) -> None:
-        """Forget everything that is on its way to this node."""
+        """Forget everything that is on its way to this node, by itself or with a team."""
         self.inbox.discard()
+        for inbox, row in self._teams:
+            inbox.discard_row(row)
+
+    def _hear(self, subscription: Subscription, inbox: Inbox, hearer: Any) -> None:
+        topic = resolve_topic(subscription.topic, self.name, self._remappings)
+        place = (self._place, self._ears)
+        self._ears += 1
+        self._bus.subscribe(Ear(place, self.name, self.robot, inbox, topic, subscription, hearer))
+
+    def _find(self, messages: Iterable[Outgoing]) -> Iterator[_Way]:
+        ways: List[_Way] = []
+        for message in messages:
+            topic, type_name, _, latched = message
+            publisher = self.publishers.get((topic, type_name, latched))
+            if publisher is None:
+                publisher = self.publisher(topic, type_name, latched)
+            way = (publisher, message)
+            ways.append(way)
+            yield way
+        if messages.__class__ is tuple:
+            self._said, self._ways = messages, ways

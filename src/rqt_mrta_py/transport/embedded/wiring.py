@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import logging
 from itertools import count
-from typing import Callable, Dict, Iterator, List, NamedTuple, Optional, Set, Tuple
+from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Set, Tuple
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Codec, Connection, Heard, Subscription
+from rqt_mrta_py.hooks import Codec, Connection, Subscription
 from rqt_mrta_py.transport.embedded.inbox import Hearing, Inbox
 from rqt_mrta_py.transport.fitting import reader_for
 from rqt_mrta_py.transport.patterns import TopicPattern
@@ -27,10 +27,10 @@ class Ear(NamedTuple):
         place: of the node among all nodes, and of the subscription among the node's.
         node: resolved name.
         robot: id of the robot that the node runs on; empty if on none.
-        inbox: of the node.
+        inbox: of the node, or of the team that it hears with.
         topic: resolved, perhaps with tokens, or EVERYTHING.
         subscription: as the node made it.
-        callback: is told of each message.
+        hearer: see Hearing.
     """
 
     place: Tuple[int, int]
@@ -39,11 +39,11 @@ class Ear(NamedTuple):
     inbox: Inbox
     topic: str
     subscription: Subscription
-    callback: Callable[[Heard], None]
+    hearer: Any
 
 
 class Receiver(NamedTuple):
-    """A node that hears a topic, with the subscriptions that mean it."""
+    """A node that hears a topic, by itself or with a team, with the subscriptions that mean it."""
 
     robot: str
     inbox: Inbox
@@ -56,17 +56,15 @@ class Topic:
     Attributes:
         name: resolved.
         ordinals: numbers its messages from 0.
-        version: changes with everybody who begins to hear it.
-        receivers: of its messages, by type and definition, for this version.
+        receivers: of its messages, by type and definition, for the wiring's version.
         groups: the subscriptions that mean it, with what the tokens stand for.
     """
 
-    __slots__ = ("groups", "name", "ordinals", "receivers", "version")
+    __slots__ = ("groups", "name", "ordinals", "receivers")
 
     def __init__(self, name: str) -> None:
         self.name = name
         self.ordinals: Iterator[int] = count()
-        self.version = 0
         self.receivers: Dict[Tuple[str, str], Tuple[Receiver, ...]] = {}
         self.groups: List[Tuple[_Group, _Tokens]] = []
 
@@ -85,11 +83,15 @@ class _Group:
 class Wiring:
     """Joins ears and topics, whichever come first.
 
+    Attributes:
+        version: changes with everybody who begins to hear.
+
     Args:
         codec: reads the messages.
     """
 
     def __init__(self, codec: Codec) -> None:
+        self.version = 0
         self._codec = codec
         self._topics: Dict[str, Topic] = {}
         self._groups: Dict[str, _Group] = {}
@@ -124,8 +126,8 @@ class Wiring:
             for topic in topics:
                 self._meet(group, topic)
         group.ears.append(ear)
+        self.version += 1
         for topic, _ in group.meant:
-            topic.version += 1
             topic.receivers.clear()
         return group.meant
 
@@ -153,15 +155,15 @@ class Wiring:
         except TransportError as error:
             self._refuse(ear, connection, str(error))
             return None
-        return Hearing(ear.callback, tokens[0], tokens[1], ear.subscription.fields, reader)
+        return Hearing(ear.hearer, tokens[0], tokens[1], ear.subscription.fields, reader)
 
     def _receivers(self, topic: Topic, connection: Connection) -> Tuple[Receiver, ...]:
         ears = [(ear, tokens) for group, tokens in topic.groups for ear in group.ears]
-        nodes: Dict[int, Tuple[Ear, List[Hearing]]] = {}
+        nodes: Dict[Tuple[int, int], Tuple[Ear, List[Hearing]]] = {}
         for ear, tokens in sorted(ears, key=lambda item: item[0].place):
             hearing = self.hearing(ear, tokens, connection)
             if hearing is not None:
-                nodes.setdefault(ear.place[0], (ear, []))[1].append(hearing)
+                nodes.setdefault((ear.place[0], id(ear.inbox)), (ear, []))[1].append(hearing)
         return tuple(Receiver(ear.robot, ear.inbox, tuple(hearings)) for ear, hearings in nodes.values())
 
     def _refuse(self, ear: Ear, connection: Connection, reason: str) -> None:

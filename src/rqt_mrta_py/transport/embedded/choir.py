@@ -1,0 +1,127 @@
+"""Nodes that publish together: their messages are counted, serialised and read beforehand as a whole."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import List, Mapping, NamedTuple, Sequence, Tuple
+
+import numpy as np
+
+from rqt_mrta_py.errors import TransportError
+from rqt_mrta_py.hooks import Codec, Column, Connection, Page
+from rqt_mrta_py.transport.embedded.inbox import Hearing, Inbox, Read
+from rqt_mrta_py.transport.embedded.publisher import Publisher
+from rqt_mrta_py.transport.embedded.wiring import Wiring
+
+__all__ = ["Choir", "Line"]
+
+
+class Line(NamedTuple):
+    """A way from one of the publishers to one who hears it.
+
+    Attributes:
+        row: of the publisher.
+        connection: of the publisher.
+        sender: id of the robot that publishes; empty if none.
+        robot: id of the robot that hears; empty if none.
+        inbox: of who hears.
+        hearings: see Receiver.
+    """
+
+    row: int
+    connection: Connection
+    sender: str
+    robot: str
+    inbox: Inbox
+    hearings: Tuple[Hearing, ...]
+
+
+class Choir:
+    """Publishers of one type that publish one message each.
+
+    Attributes:
+        publishers: in the order of rows.
+        connections: of the publishers.
+        lines: to all who hear, in the order of rows, then of nodes, as of ``version``.
+        version: see Wiring.
+
+    Args:
+        publishers: at least one, each once.
+    """
+
+    __slots__ = ("_asked", "_ordinals", "connections", "lines", "publishers", "version")
+
+    def __init__(self, publishers: Sequence[Publisher]) -> None:
+        self.publishers = tuple(publishers)
+        self.connections = tuple(publisher.connection for publisher in publishers)
+        self.lines: Sequence[Line] = ()
+        self.version = -1
+        self._ordinals = [publisher.ordinals for publisher in publishers]
+        self._asked: Sequence[Tuple[str, ...]] = ()
+
+    def look_around(self, wiring: Wiring) -> None:
+        """Find out anew who hears."""
+        lines: List[Line] = []
+        asked: Counter[Tuple[str, ...]] = Counter()
+        for row, publisher in enumerate(self.publishers):
+            publisher.look_around(wiring)
+            ends = (row, publisher.connection, publisher.robot)
+            lines.extend(Line(*ends, *receiver) for receiver in publisher.receivers)
+            asked.update({hearing.paths for receiver in publisher.receivers for hearing in receiver.hearings})
+        self.lines = lines
+        # What few of them are asked for is read where it is heard.
+        self._asked = [paths for paths, rows in asked.items() if paths and 2 * rows > len(self.publishers)]
+        self.version = wiring.version
+
+    def count(self) -> List[int]:
+        """Count one message of each; give their ordinals."""
+        for publisher in self.publishers:
+            publisher.seq += 1
+        return list(map(next, self._ordinals))
+
+    def encode(self, codec: Codec, columns: Mapping[str, Column]) -> Page:
+        """Serialise the latest message of each.
+
+        Args:
+            codec: for messages of their type.
+            columns: of the messages, in the order of the publishers.
+
+        Raises:
+            TransportError: a message does not fit the type; names node, topic and path.
+        """
+        publishers, first = self.publishers, self.publishers[0]
+        seq = f"{first.header}/seq"
+        if first.header and seq not in columns:
+            columns = {**columns, seq: np.array([publisher.seq for publisher in publishers])}
+        try:
+            return codec.encode_columns(first.connection.type, columns, len(publishers))
+        except TransportError as error:
+            for row, publisher in enumerate(publishers):
+                try:
+                    own = {path: _row_of(column, row) for path, column in columns.items()}
+                    codec.encode_columns(first.connection.type, own, 1)
+                except TransportError as its_error:
+                    raise publisher.named(its_error) from error
+                except IndexError:
+                    break
+            raise first.named(error) from error
+
+    def read(self, page: Page) -> List[Read]:
+        """Read beforehand what most of those who hear will ask for.
+
+        Args:
+            page: the latest messages.
+        """
+        reads: List[Read] = [{} for _ in self.publishers]
+        for paths in self._asked:
+            rows = page.read(paths)
+            if rows is not None:
+                for read, fields in zip(reads, rows):
+                    read[paths] = fields
+        return reads
+
+
+def _row_of(column: Column, row: int) -> Column:
+    if isinstance(column, np.ndarray):
+        return column[[row]]
+    return [column[row]] if isinstance(column, (list, tuple)) else column
