@@ -1,75 +1,28 @@
+"""What befalls robots and radio while a scenario is under way."""
+
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 
-import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rqt_mrta_py.errors import SimError
-from rqt_mrta_py.hooks import Heard
 from rqt_mrta_py.model import (
-    Arena,
     Obstacle,
     Pose,
     RadioSetup,
     RobotSetup,
     ScenarioEvent,
     ScenarioEventKind,
-    ScenarioSpec,
     SensorSetup,
     Twist,
 )
-from rqt_mrta_py.sim import Simulation
-from rqt_mrta_py.sim.plugin import (
-    mrta_register_links,
-    mrta_register_robot_models,
-    mrta_register_sensors,
-    mrta_register_team_sensors,
-    mrta_register_worlds,
-)
-from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
 from tests.sim.doubles import StillWorld
 from tests.sim.expanding import by_robot
+from tests.sim.scenarios import RATE, RETURNS, STOPS, play, scenario, simulation, tell
 
 KIND = ScenarioEventKind
-STOPS, RETURNS = ScenarioEventKind.ROBOT_STOPS, ScenarioEventKind.ROBOT_RETURNS
-RATE = 20
-SENSORS = (SensorSetup("odometry", "odom", 10.0), SensorSetup("localiser", "pose", 10.0))
-
-
-def scenario(*events, **changes):
-    robots = tuple(RobotSetup(f"robot{i}", "diff_drive", Pose(float(i), 0.0), SENSORS) for i in (1, 2))
-    spec = ScenarioSpec(Arena(-5.0, -5.0, 5.0, 5.0), (), robots, tuple(events), world="still", control_rate=RATE)
-    return replace(spec, **changes)
-
-
-def simulation(spec, world=None, **changes):
-    known = {
-        "models": mrta_register_robot_models(),
-        "sensors": mrta_register_sensors(),
-        "team_sensors": mrta_register_team_sensors(),
-        "worlds": {"still": lambda: StillWorld() if world is None else world, **mrta_register_worlds()},
-        "links": mrta_register_links(),
-        "link_random": lambda sender, receiver: np.random.default_rng([*f"{sender} {receiver}".encode()]),
-        "generators": {robot.id: np.random.default_rng(index) for index, robot in enumerate(spec.robots)},
-    }
-    return Simulation(scenario=spec, **{**known, **changes})
-
-
-def play(simulated, ticks):
-    """Give for each tick the events that happened and who spoke."""
-    played = []
-    for tick in range(ticks):
-        now = tick / RATE + 1
-        happened = simulated.begin_tick(tick, now)
-        speakers = list(by_robot(simulated.sense(tick, now)))
-        simulated.act(now)
-        simulated.step()
-        played.append((list(happened), speakers))
-    return played
 
 
 def test_simulation_builds_its_world_from_the_scenario():
@@ -94,9 +47,7 @@ def test_simulation_gives_what_robots_say_in_the_order_of_the_scenario():
 def test_simulation_commands_the_world_what_robots_heard():
     world = StillWorld()
     simulated = simulation(scenario(), world)
-    ((subscription, hear),) = simulated.robots["robot2"].listeners()
-    fields = {"linear/x": 0.3, "linear/y": 0.0, "angular/z": 0.1}
-    hear(Heard("/robot2/cmd_vel", subscription.type, 1.0, fields))
+    tell(simulated, "robot2", 1.0, 0.3, wz=0.1)
     simulated.act(1.0)
     simulated.step()
     assert world.commands == {"robot1": Twist(), "robot2": Twist(0.3, 0.0, 0.1)}
@@ -190,12 +141,11 @@ def test_slow_robot_drives_at_a_share_of_what_it_is_commanded():
         for number, factor in enumerate([0.25, 0.0, 1.0])
     ]
     simulated = simulation(scenario(*events), world)
-    ((subscription, hear),) = simulated.robots["robot1"].listeners()
     driven = []
     for tick in range(3):
         now = tick / RATE + 1
         simulated.begin_tick(tick, now)
-        hear(Heard("/robot1/cmd_vel", subscription.type, now, {"linear/x": 0.4, "linear/y": 0.0, "angular/z": 1.0}))
+        tell(simulated, "robot1", now, 0.4, wz=1.0)
         simulated.act(now)
         driven.append(world.commands["robot1"])
     assert driven == [Twist(0.1, 0.0, 0.25), Twist(), Twist(0.4, 0.0, 1.0)]
@@ -224,15 +174,12 @@ def test_robot_judges_the_age_of_a_command_by_its_own_clock():
     world = StillWorld()
     event = ScenarioEvent(0.1, KIND.ROBOT_CLOCK_SHIFTS, "robot1", parameters={"offset": 5.0})
     simulated = simulation(scenario(event), world)
-    ((subscription, hear),) = simulated.robots["robot1"].listeners()
     driven = []
     for tick in range(4):
         now = tick / RATE + 1
         simulated.begin_tick(tick, now)
         if tick != 2:
-            receipt = now + simulated.clock_offset("robot1")
-            fields = {"linear/x": 0.3, "linear/y": 0.0, "angular/z": 0.0}
-            hear(Heard("/robot1/cmd_vel", subscription.type, receipt, fields))
+            tell(simulated, "robot1", now + simulated.clock_offset("robot1"), 0.3)
         simulated.act(now)
         driven.append(world.commands["robot1"].vx)
     assert driven == [0.3, 0.3, 0.0, 0.3]
@@ -338,21 +285,6 @@ def test_each_sensor_measures_at_its_own_rate():
     assert heard == [full, ["pose"], ["pose", "odom", "/tf"], ["pose"], full]
 
 
-def test_simulation_tells_the_problems_of_all_sensors_of_a_robot_at_once():
-    sensors = (
-        SensorSetup("odometry", "odom", 50.0),
-        SensorSetup("localiser", "pose", 10.0, {"position_noise": -1}),
-        SensorSetup("range_finder", "scan", 10.0, {"rays": 2.5}),
-    )
-    with pytest.raises(SimError) as caught:
-        simulation(scenario(robots=(RobotSetup("robot1", "diff_drive", Pose(0.0, 0.0), sensors),)))
-    assert str(caught.value).splitlines() == [
-        "robot robot1: sensor localiser on pose: parameter position_noise: must be a number at least 0 (got -1)",
-        "robot robot1: sensor odometry on odom: rate must be above 0, at most the control rate of 20 Hz (got 50.0)",
-        "robot robot1: sensor range_finder on scan: parameter rays: must be a whole number from 1 to 3600 (got 2.5)",
-    ]
-
-
 @settings(max_examples=40, deadline=None)
 @given(st.lists(st.tuples(st.integers(0, 30), st.integers(0, 30), st.sampled_from(["robot1", "robot2"])), max_size=6))
 def test_robot_speaks_at_exactly_the_ticks_that_no_stop_covers(stops):
@@ -367,153 +299,16 @@ def test_robot_speaks_at_exactly_the_ticks_that_no_stop_covers(stops):
             assert speakers == [robot for robot in ("robot1", "robot2") if robot not in silent]
 
 
-def test_simulation_names_everything_that_is_missing_with_what_there_is():
-    robots = (
-        RobotSetup("robot1", "dif_drive", Pose(0.0, 0.0), (SensorSetup("range_findr", "scan", 10.0),)),
-        RobotSetup("robot2", "hexapod", Pose(1.0, 0.0)),
-    )
-    worlds = {"still": StillWorld, "bullet": StillWorld}
-    with pytest.raises(SimError) as caught:
-        simulation(scenario(robots=robots, world="bulet"), worlds=worlds, models={"diff_drive": DIFF_DRIVE})
-    assert str(caught.value).splitlines() == [
-        "scenario: no world 'bulet'; nearest is 'bullet'",
-        "robot robot1: no robot model 'dif_drive'; nearest is 'diff_drive'",
-        "robot robot1: no sensor 'range_findr' for scan; nearest is 'range_finder'",
-        "robot robot2: no robot model 'hexapod'; accepted: diff_drive",
-    ]
-
-
-def test_simulation_names_the_capability_that_its_world_lacks():
-    world = StillWorld(lacks=["freeze", "drive:differential"])
-    with pytest.raises(SimError) as caught:
-        simulation(scenario(ScenarioEvent(2.0, STOPS, "robot1")), world)
-    assert str(caught.value).splitlines() == [
-        "robot robot1: world still lacks drive:differential; it can do: contacts, ranges",
-        "event robot_stops at 2 s: world still lacks freeze; it can do: contacts, ranges",
-    ]
-    assert world.closed == 1
-    assert world.setup is None
-
-
-def test_simulation_builds_no_world_for_misplaced_robots():
-    robots = tuple(RobotSetup(f"robot{i}", "diff_drive", Pose(4.95, 0.0)) for i in (1, 2))
-    with pytest.raises(SimError) as caught:
-        simulation(scenario(robots=robots), worlds={"still": lambda: pytest.fail("the world was built")})
-    lines = str(caught.value).splitlines()
-    assert [line.split(" overlaps ")[0] for line in lines] == [
-        "robot robot1: start pose (4.95, 0, 0)",
-        "robot robot2: start pose (4.95, 0, 0)",
-        "robot robot2: start pose (4.95, 0, 0)",
-    ]
-    assert "the wall" in lines[0]
-    assert "robot1 by" in lines[2]
-
-
-def test_simulation_tells_the_wrong_sensors_of_all_robots_at_once():
-    wrong = (SensorSetup("localiser", "pose", 10.0, {"position_noise": -1.0}),)
-    robots = tuple(RobotSetup(f"robot{i}", "diff_drive", Pose(float(i), 0.0), wrong) for i in (1, 2))
-    with pytest.raises(SimError) as caught:
-        simulation(scenario(robots=robots))
-    assert [line.split(":")[0] for line in str(caught.value).splitlines()] == ["robot robot1", "robot robot2"]
-
-
-@pytest.mark.parametrize(
-    ("event", "message"),
-    [
-        (ScenarioEvent(-1.0, STOPS, "robot1"), "event robot_stops at -1 s: time: must be a number from 0 s (got -1.0)"),
-        (
-            ScenarioEvent(math.nan, STOPS, "robot1"),
-            "event robot_stops at nan s: time: must be a number from 0 s (got nan)",
-        ),
-        (
-            ScenarioEvent(1.0, STOPS, "robot9"),
-            "event robot_stops at 1 s: robot: 'robot9' is no robot of the scenario; nearest is 'robot2'",
-        ),
-        (ScenarioEvent(1.0, STOPS), "event robot_stops at 1 s: robot: is missing; give a text"),
-        (
-            ScenarioEvent(1.0, RETURNS, "robot1"),
-            "event robot_returns at 1 s: kind: robot1 is not stopped then; let it stop before, once for each return",
-        ),
-        (
-            ScenarioEvent(1.0, KIND.ROBOT_SLOWS, "robot1", parameters={"factor": math.nan}),
-            "event robot_slows at 1 s: parameters/factor: must be a number from 0 to 1 (got nan)",
-        ),
-        (
-            ScenarioEvent(1.0, KIND.ROBOT_SLOWS, "robot1", parameters={"factor": 10**400}),
-            "event robot_slows at 1 s: parameters/factor: must be a number from 0 to 1 (got "
-            "100000000000000000000000000000000000000000000000000000000000...)",
-        ),
-        (
-            ScenarioEvent(1.0, KIND.ROBOT_CLOCK_SHIFTS, "robot1", parameters={"offset": "late"}),
-            "event robot_clock_shifts at 1 s: parameters/offset: must be a number from -1e+06 to 1e+06 s (got 'late'); "
-            "YAML takes this for a text: no quotes, and a dot before an exponent, such as 1.0e-3",
-        ),
-        (
-            ScenarioEvent(1.0, KIND.RADIO_HEALS, parameters={"at": 1}),
-            "event radio_heals at 1 s: parameters: does not go with kind radio_heals; accepted: time, kind",
-        ),
-        (
-            ScenarioEvent(1.0, KIND.RADIO_PARTITIONS, parameters={"groups": [["robot1", 2]]}),
-            "event radio_partitions at 1 s: parameters/groups: must be a list of lists of texts (got [['robot1', 2]])",
-        ),
-        (
-            ScenarioEvent(1.0, KIND.RADIO_CHANGES, parameters={"kind": "losy"}),
-            "event radio_changes at 1 s: no radio 'losy'; nearest is 'lossy'",
-        ),
-        (
-            ScenarioEvent(1.0, KIND.RADIO_CHANGES, parameters={"kind": "lossy", "loss": 2}),
-            "event radio_changes at 1 s: loss: must be a number from 0 to 1 (got 2)",
-        ),
-    ],
-)
-def test_simulation_refuses_an_event_that_cannot_happen(event, message):
-    with pytest.raises(SimError) as caught:
-        simulation(scenario(event))
-    assert str(caught.value) == message
-
-
-def test_simulation_tells_what_is_wrong_with_all_radios_at_once():
-    spec = scenario(
-        ScenarioEvent(2.0, KIND.RADIO_CHANGES, parameters={"kind": "perfect", "loss": 0.1}),
-        radio=RadioSetup("lossy", {"loss": -1, "range": 0}),
-    )
-    with pytest.raises(SimError) as caught:
-        simulation(spec)
-    assert str(caught.value).splitlines() == [
-        "radio lossy: loss: must be a number from 0 to 1 (got -1)",
-        "radio lossy: range: must be a number above 0 m (got 0)",
-        "event radio_changes at 2 s: loss: is not known; there is none",
-    ]
-
-
-def test_simulation_refuses_a_control_rate_of_nothing():
-    with pytest.raises(SimError, match=r"scenario: control_rate must be at least 1 Hz \(got 0\)"):
-        simulation(scenario(control_rate=0))
-
-
-def test_simulation_closes_its_world_when_that_cannot_be_built():
-    class Fragile(StillWorld):
-        def reset(self, setup):
-            raise SimError("world still: broken")
-
-    world = Fragile()
-    with pytest.raises(SimError, match="world still: broken"):
-        simulation(scenario(), world)
-    assert world.closed == 1
-
-
 def test_simulation_in_bullet_freezes_a_driving_robot_and_lets_it_go():
     spec = scenario(ScenarioEvent(1.0, STOPS, "robot1"), ScenarioEvent(2.0, RETURNS, "robot1"), world="bullet")
     simulated = simulation(spec)
     xs = []
     try:
-        ((subscription, hear),) = simulated.robots["robot1"].listeners()
         for tick in range(60):
             now = tick / RATE + 1
             simulated.begin_tick(tick, now)
             list(simulated.sense(tick, now))
-            fields = {"linear/x": 0.3, "linear/y": 0.0, "angular/z": 0.0}
-            hear(Heard("/robot1/cmd_vel", subscription.type, now, fields))
+            tell(simulated, "robot1", now, 0.3)
             simulated.act(now)
             simulated.step()
             xs.append(simulated.world.poses()[0, 0])

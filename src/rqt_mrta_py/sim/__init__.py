@@ -6,7 +6,7 @@
 * ``robot_models``: the kinds of robots that this room brings
 * ``sensors``: range finder, odometry, localiser, bumper; one file each
 * ``sensing``: sensors on robots: when they measure, rays cast together, ``/tf``
-* ``simulated_robot``: one robot's driver and what it is commanded
+* ``simulated_robot``: what one robot makes of its commands; ``drivers``: what all robots are commanded
 * ``schedule``: rates in ticks
 * ``angles``, ``picking``: of many robots at once
 * ``placement``, ``requirements``: what is wrong with a scenario, before anything is built

@@ -1,40 +1,30 @@
-"""The hardware of one simulated robot, as a node ``/<robot>/driver``: what it is commanded to do."""
+"""The hardware of one simulated robot, as a node ``/<robot>/driver``: what it makes of its commands."""
 
 from __future__ import annotations
 
 import math
 from operator import itemgetter
-from typing import Callable, Optional, Sequence, Tuple
+from typing import Any, Mapping, Optional, Tuple
 
-from rqt_mrta_py.hooks import Heard, RobotModel, Subscription
+from rqt_mrta_py.hooks import RobotModel
 from rqt_mrta_py.model import Twist
 
-__all__ = ["COMMAND_TIMEOUT", "SimulatedRobot"]
+__all__ = ["SimulatedRobot"]
 
-COMMAND_TIMEOUT = 0.5
-"""A robot stands still once its newest command is older than this [s]."""
-
-_CMD_VEL = Subscription("cmd_vel", "geometry_msgs/Twist", ("linear/x", "linear/y", "angular/z"))
-_velocity = itemgetter(*_CMD_VEL.fields)
-_TOO_OLD = COMMAND_TIMEOUT + 1e-6
-"""From when on a command is too old, whatever rounding did to its age [s]."""
+_velocity = itemgetter("linear/x", "linear/y", "angular/z")
 _STILL = Twist()
 
 
 class SimulatedRobot:
-    """Hears ``cmd_vel`` and tells what to drive.
-
-    Most robots go on in most ticks as they were commanded; whoever drives them need only ask again when ``has_news``,
-    and when ``is_obeying`` does not tell any more whether the command is young enough.
+    """Takes the content of ``cmd_vel`` and tells what to drive.
 
     Attributes:
         id: the robot's.
         model: what it is like.
         node: resolved name of its node.
         is_stopped: True while it stands still and is silent.
-        commanded_at: when the newest command was heard, on the robot's clock [s].
-        is_obeying: whether the newest command was young enough when ``command`` was asked last.
-        has_news: whether something befell it since then that may change what to drive.
+        newest: content of the newest command that was taken since a stop, by path; None if there is none.
+        has_news: whether something befell it since ``command`` was asked last that may change the answer.
     """
 
     def __init__(self, robot_id: str, model: RobotModel) -> None:
@@ -48,8 +38,7 @@ class SimulatedRobot:
         self.model = model
         self.node = f"/{robot_id}/driver"
         self.is_stopped = False
-        self.commanded_at = -math.inf
-        self.is_obeying = False
+        self.newest: Optional[Mapping[str, Any]] = None
         self.has_news = True
         self._speed_factor = 1.0
         self._asked: Optional[Tuple[float, ...]] = None
@@ -65,19 +54,30 @@ class SimulatedRobot:
         self._speed_factor = factor
         self.has_news = True
 
-    def listeners(self) -> Sequence[Tuple[Subscription, Callable[[Heard], None]]]:
-        """Say what to hear, in the robot's namespace, and who hears it."""
-        return ((_CMD_VEL, self._hear_command),)
+    def take(self, fields: Mapping[str, Any]) -> None:
+        """Take a command; one that is not finite means to stand still, and while stopped none is taken.
 
-    def needs_asking(self, now: float) -> bool:
-        """Tell whether ``command`` may answer something else than the last time, at a time [s]."""
-        return self.has_news or (now - self.commanded_at > _TOO_OLD) is self.is_obeying
+        Args:
+            fields: velocities by path [m/s, rad/s].
+        """
+        if self.is_stopped:
+            return
+        self.newest = fields
+        asked = _velocity(fields)
+        if asked != self._asked:
+            self._asked = asked
+            self._command = _limit(self.model, *asked) if math.isfinite(sum(asked)) else _STILL
+            self.has_news = True
 
-    def command(self, now: float) -> Twist:
-        """Give the velocity to drive at a time [s], within the model's limits."""
+    def command(self, is_obeying: bool) -> Twist:
+        """Give the velocity to drive, within the model's limits.
+
+        Args:
+            is_obeying: whether the newest command is young enough.
+        """
         self.has_news = False
-        self.is_obeying = not now - self.commanded_at > _TOO_OLD
-        if self.is_stopped or not self.is_obeying:
+        # Nothing was commanded since a stop, however young what came meanwhile.
+        if self.is_stopped or not is_obeying or self.newest is None:
             return _STILL
         if self._speed_factor < 1.0:
             return _scaled(self._command, self._speed_factor)
@@ -86,24 +86,13 @@ class SimulatedRobot:
     def stop(self) -> None:
         """Fall silent and stand still; what was commanded is forgotten."""
         self.is_stopped = self.has_news = True
-        self._asked = None
+        self.newest = self._asked = None
         self._command = _STILL
 
     def resume(self) -> None:
         """Obey again."""
         self.is_stopped = False
         self.has_news = True
-
-    def _hear_command(self, heard: Heard) -> None:
-        """Take a command; one that is not finite means to stand still."""
-        if self.is_stopped:
-            return
-        asked = _velocity(heard.fields)
-        if asked != self._asked:
-            self._asked = asked
-            self._command = _limit(self.model, *asked) if math.isfinite(sum(asked)) else _STILL
-            self.has_news = True
-        self.commanded_at = heard.receipt
 
 
 def _scaled(twist: Twist, factor: float) -> Twist:

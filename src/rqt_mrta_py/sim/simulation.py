@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, AbstractSet, Dict, Iterable, Iterator, Mapping, Optional, Sequence
+from typing import TYPE_CHECKING, AbstractSet, Iterable, Iterator, Mapping, Optional, Sequence
 
 from rqt_mrta_py.config.scenario.events import event_problems
 from rqt_mrta_py.errors import SimError
@@ -16,7 +16,8 @@ from rqt_mrta_py.hooks import (
     WorldFactory,
     WorldSetup,
 )
-from rqt_mrta_py.model import Pose, ScenarioEvent, ScenarioSpec, Twist
+from rqt_mrta_py.model import Pose, ScenarioEvent, ScenarioSpec
+from rqt_mrta_py.sim.drivers import Drivers
 from rqt_mrta_py.sim.faults import Faults
 from rqt_mrta_py.sim.placement import placement_problems
 from rqt_mrta_py.sim.radio import LinkRandom, PerfectLink, Radio, build_links
@@ -38,13 +39,14 @@ class Simulation:
     """A scenario under way.
 
     One tick is ``begin_tick``, ``sense``, ``act``, ``step``, in this order; what robots hear comes between ``sense``
-    and ``act``, through the listeners of ``robots``.
+    and ``act``, through the listener of ``drivers``.
 
     A robot goes by its own clock: what it measures is stamped by it, and it judges by it how old a command is.
 
     Attributes:
         scenario: what is simulated.
         robots: by id, in the scenario's order.
+        drivers: hear what the robots are commanded.
         sensing: their sensors.
         world: where they are; built.
         radio: between them; to be asked for each delivery.
@@ -85,12 +87,12 @@ class Simulation:
         placed = tuple(PlacedRobot(robot.id, models[robot.model], robot.start) for robot in scenario.robots)
         _raise_if_any(placement_problems(scenario.arena, scenario.obstacles, placed))
         self.robots = {robot.id: SimulatedRobot(robot.id, models[robot.model]) for robot in scenario.robots}
+        self.drivers = Drivers(self.robots)
         self.sensing = Sensing(scenario, models, sensors, team_sensors, generators)
         self._names = list(self.robots)
         self._events = in_order(scenario)
         self._next_event = 0
         self._clock_offsets: Mapping[str, float] = {}
-        self._driven: Dict[str, Twist] = {}
         self._truth: Optional[NDArray[np.float64]] = None
         self._poses: Optional[Mapping[str, Pose]] = None
         built = build_links(scenario, self._events, links, self._pose, link_random or _no_chance)
@@ -144,14 +146,8 @@ class Simulation:
 
     def act(self, now: float) -> None:
         """Command the world what robots were commanded, at a time [s]; what they do already is not said again."""
-        offsets, driven = self._clock_offsets, self._driven
-        for name, robot in self.robots.items():
-            time = now + offsets[name] if name in offsets else now
-            if robot.needs_asking(time):
-                twist = robot.command(time)
-                if driven.get(name) is not twist:
-                    driven[name] = twist
-                    self.world.command(name, "base", twist)
+        for name, twist in self.drivers.commands(self._times(now)):
+            self.world.command(name, "base", twist)
 
     def step(self) -> None:
         """Let one tick pass in the world."""

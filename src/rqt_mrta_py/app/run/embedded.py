@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any, Iterator, List, Sequence, Set, Tuple
+from typing import Any, Iterator, Sequence, Set, Tuple
 
 from rqt_mrta_py.app.guard import makers
 from rqt_mrta_py.app.mission_message import mission_message
 from rqt_mrta_py.app.run.chance import Purpose, generator, link_generator
 from rqt_mrta_py.app.run.clock import RunClock
-from rqt_mrta_py.app.run.team import Member, build_team
+from rqt_mrta_py.app.run.team import Team, build_team
 from rqt_mrta_py.app.run.watch import SUPERVISOR_TOPICS
 from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.hooks import Codec, Outgoing, TeamOutgoing
@@ -76,20 +76,19 @@ class EmbeddedRun:
         self._operator_node = self.bus.node("/operator")
         self._tasks = {task.id: task for task in (*mission.tasks, *mission.later_tasks)}
         try:
-            self._team: List[Member] = build_team(mission, seed, self._simulation, self.bus, manager)
+            self._team: Team = build_team(mission, seed, self._simulation, self.bus, manager)
         except BaseException:
             self._simulation.close()
             raise
-        self._members = {member.id: member for member in self._team}
-        self._driver_of = {member.id: member.driver_node for member in self._team}
-        self._drivers = list(self._driver_of.values())
+        self._members = self._team.members
+        self._driver_of = {member.id: member.driver_node for member in self._members.values()}
 
     @property
     def team_hears_supervisor(self) -> bool:
         """Tell whether a robot listens to what the supervisor says; then both must take turns in one process."""
         return any(
             pattern.match(topic) is not None
-            for member in self._team
+            for member in self._members.values()
             for pattern in member.patterns
             for topic in SUPERVISOR_TOPICS
         )
@@ -104,7 +103,7 @@ class EmbeddedRun:
         yield self.bus, "publish_each", "bus"
         yield self.bus, "publish_together", "bus"
         yield self.bus, "deliver", "bus"
-        for member in self._team:
+        for member in self._members.values():
             yield member.host, "step", "robots"
 
     def close(self) -> None:
@@ -137,7 +136,7 @@ class EmbeddedRun:
             self._pause_and_resume()
 
     def _pause_and_resume(self) -> None:
-        for member in self._team:
+        for member in self._members.values():
             stopped = self._simulation.stopped(member.id)
             if stopped and member.id not in self._paused:
                 self._paused.add(member.id)
@@ -160,7 +159,7 @@ class EmbeddedRun:
 
     def _decide(self, tick: int, now: float) -> None:
         self.bus.publish_each(self._decisions(tick, now), now)
-        self.bus.deliver(now, self._drivers)
+        self.bus.deliver(now, (self._team.commands,))
 
     def _decisions(self, tick: int, now: float) -> Iterator[Tuple[Node, Sequence[Outgoing]]]:
         """Let one robot after the other decide what to say."""

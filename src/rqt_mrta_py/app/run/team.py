@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import List, Tuple
+from typing import Dict, Tuple
 
 from rqt_mrta_py.app.run.hosts import HostMaker
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Mission
 from rqt_mrta_py.robot import RobotHost
 from rqt_mrta_py.sim import Simulation
-from rqt_mrta_py.transport import Bus, Node
+from rqt_mrta_py.transport import Bus, Node, TeamEar
 from rqt_mrta_py.transport.patterns import TopicPattern, resolve_topic
 
-__all__ = ["Member", "build_team"]
+__all__ = ["Member", "Team", "build_team"]
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,20 @@ class Member:
     patterns: Tuple[TopicPattern, ...]
 
 
-def build_team(mission: Mission, seed: int, simulation: Simulation, bus: Bus, manager: PluginManager) -> List[Member]:
+@dataclass(frozen=True)
+class Team:
+    """A simulated team, joined to the bus.
+
+    Attributes:
+        members: by id, in the application's order.
+        commands: hears for all simulated hardware what it is commanded.
+    """
+
+    members: Dict[str, Member]
+    commands: TeamEar
+
+
+def build_team(mission: Mission, seed: int, simulation: Simulation, bus: Bus, manager: PluginManager) -> Team:
     """Make every robot's agent, behaviours and host, and join them and the hardware to the bus.
 
     Args:
@@ -45,28 +58,23 @@ def build_team(mission: Mission, seed: int, simulation: Simulation, bus: Bus, ma
         bus: to join.
         manager: plugins, loaded.
 
-    Returns:
-        The team in the application's order.
-
     Raises:
         UsageError: nobody provides agents for the mission's architecture, or the planner that the scenario names.
         RobotError: a robot cannot carry out a task it is given.
         HookError: an agent or a behaviour cannot be made.
     """
     maker = HostMaker(mission, seed, simulation, manager)
-    team = []
+    members: Dict[str, Member] = {}
+    subscription, hear_commands = simulation.drivers.listener([robot.id for robot in mission.application.robots])
     for robot in mission.application.robots:
         with manager.patience.at_work(f"the making of {robot.id}"):
             host = maker.host(robot.id)
         agent_node = bus.node(f"/{robot.id}/agent", robot=robot.id)
         driver_node = bus.node(f"/{robot.id}/driver", robot=robot.id)
-        patterns = []
-        for node, listeners in (
-            (agent_node, host.listeners()),
-            (driver_node, simulation.robots[robot.id].listeners()),
-        ):
-            for subscription, callback in listeners:
-                node.subscribe(subscription, callback)
-                patterns.append(TopicPattern(resolve_topic(subscription.topic, node.name)))
-        team.append(Member(robot.id, host, agent_node, driver_node, tuple(patterns)))
-    return team
+        topics = [resolve_topic(subscription.topic, driver_node.name)]
+        for wish, callback in host.listeners():
+            agent_node.subscribe(wish, callback)
+            topics.append(resolve_topic(wish.topic, agent_node.name))
+        members[robot.id] = Member(robot.id, host, agent_node, driver_node, tuple(map(TopicPattern, topics)))
+    drivers = [member.driver_node for member in members.values()]
+    return Team(members, bus.subscribe_together(drivers, subscription, hear_commands))
