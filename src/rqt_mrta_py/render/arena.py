@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Dict, FrozenSet, List, Mapping, NamedTuple, Se
 import numpy as np
 
 from rqt_mrta_py.hooks import RobotSight
-from rqt_mrta_py.model import Arena, Outcome, RobotState, Task
+from rqt_mrta_py.model import Arena, RobotState, Task
 from rqt_mrta_py.render.canvas import Box, Canvas, Point, Points, label_size
 from rqt_mrta_py.render.crowd import PlacedTeam, place_team, print_crowd, size_among
 from rqt_mrta_py.render.floor import ArenaMap, somewhere, without_places
@@ -87,13 +87,13 @@ def arena_part(page: Page, place: ArenaMap, named: Named, trails: Tuple[Stroke, 
         named: who is named, if there are more than a few.
         trails: what is not settled of the trails of a few robots.
     """
-    scene, is_open = page.view.scene, Outcome.OPEN
+    scene = page.view.scene
     content = _Arena(
         place.floor,
         scene.robots,
         page.states,
         scene.tasks,
-        tuple([(each.robot, each.task) for each in page.view.record.allocations if each.outcome is is_open]),
+        tuple([(each.robot, each.task) for each in page.held]),
         page.colours,
         page.conditions,
         named,

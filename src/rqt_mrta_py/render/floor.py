@@ -103,8 +103,10 @@ def without_places(scene: SceneView) -> bool:
     Args:
         scene: what there is.
     """
+    if scene.arena is not None:
+        return False
     seen = [robot.pose for robot in scene.robots] + [task.place for task in scene.tasks]
-    return scene.arena is None and all(place is None for place in seen)
+    return all(place is None for place in seen)
 
 
 def draw_floor(canvas: Canvas, place: ArenaMap, obstacles: Sequence[Obstacle]) -> None:

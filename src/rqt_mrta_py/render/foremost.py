@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import islice
 from typing import Dict, List, Mapping, Sequence, Tuple
 
 from rqt_mrta_py.hooks import MonitorView
@@ -48,6 +49,8 @@ def foremost_robots(view: MonitorView, most: int, troubled: Mapping[str, float])
     robots = view.record.robots
     if len(robots) <= most:
         return robots
+    if not troubled:
+        return robots[:most]
     known = [robot.id for robot in robots if robot.id in troubled]
     chosen = set(sorted(known, key=lambda robot: (-troubled[robot], robot))[: most // 2])
     return _filled([robot for robot in robots if robot.id in chosen], robots, most)
@@ -81,4 +84,5 @@ def _filled(chosen: Sequence, everybody: Sequence, most: int) -> Tuple:  # type:
         if len(names) >= most:
             break
         names.add(each.id)
-    return tuple(each for each in everybody if each.id in names)
+    # The last of them stands early, as a rule.
+    return tuple(islice((each for each in everybody if each.id in names), len(names)))

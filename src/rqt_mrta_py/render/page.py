@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Sequence
+from itertools import compress
+from operator import attrgetter
+from typing import Any, Callable, Dict, Iterable, List, Mapping, NamedTuple, Sequence
 
 from rqt_mrta_py.hooks import MonitorView
 from rqt_mrta_py.model import Allocation, Outcome, RobotState
@@ -14,7 +15,7 @@ from rqt_mrta_py.render.happenings import Condition, conditions
 from rqt_mrta_py.render.palette import TaskColours
 from rqt_mrta_py.render.times import last_second
 
-__all__ = ["FEW", "Page", "Part"]
+__all__ = ["FEW", "Page", "Part", "by_robot", "by_task"]
 
 FEW = 40
 """So many robots, or tasks, are drawn in full and all named; of more, only those that lists beside the arena show."""
@@ -45,9 +46,7 @@ class Page:
         view: the mission.
         colours: of its tasks and curves.
         states: of its robots, by id.
-        by_robot: every allocation by its robot, in the record's order.
-        open_by_robot: those still open by robot.
-        open_by_task: those still open by task.
+        held: the allocations that are still open, in the record's order.
         conditions: what a scenario wants to be the matter with a robot.
         troubled: when who was last in trouble [s], if there are too many to be shown.
         settled: the mission's last whole second [s]; what was before it is drawn once a second.
@@ -56,9 +55,7 @@ class Page:
     view: MonitorView
     colours: TaskColours
     states: Mapping[str, RobotState]
-    by_robot: Mapping[str, Sequence[Allocation]]
-    open_by_robot: Mapping[str, Sequence[Allocation]]
-    open_by_task: Mapping[str, Sequence[Allocation]]
+    held: Sequence[Allocation]
     conditions: Mapping[str, Condition]
     troubled: Mapping[str, float]
     settled: float
@@ -70,22 +67,12 @@ class Page:
         Args:
             view: the mission.
         """
-        by_robot: Dict[str, List[Allocation]] = defaultdict(list)
-        open_by_robot: Dict[str, List[Allocation]] = defaultdict(list)
-        open_by_task: Dict[str, List[Allocation]] = defaultdict(list)
         is_open = Outcome.OPEN
-        for allocation in view.record.allocations:
-            by_robot[allocation.robot].append(allocation)
-            if allocation.outcome is is_open:
-                open_by_robot[allocation.robot].append(allocation)
-                open_by_task[allocation.task].append(allocation)
         return cls(
             view,
             TaskColours.of(view),
             {robot.id: robot.state for robot in view.record.robots},
-            by_robot,
-            open_by_robot,
-            open_by_task,
+            [allocation for allocation in view.record.allocations if allocation.outcome is is_open],
             conditions(view.scene.labels),
             troubles(view) if len(view.record.robots) > _MOST_ROWS else {},
             last_second(view, view.now),
@@ -99,3 +86,23 @@ class Page:
         it keeps still.
         """
         return self.settled - 58.0
+
+
+def by_robot(allocations: Sequence[Allocation], robots: Iterable[str]) -> Dict[str, List[Allocation]]:
+    """Look up the allocations of some robots: of each, in their order."""
+    return _grouped(allocations, attrgetter("robot"), robots)
+
+
+def by_task(allocations: Sequence[Allocation], tasks: Iterable[str]) -> Dict[str, List[Allocation]]:
+    """Look up the allocations of some tasks: of each, in their order."""
+    return _grouped(allocations, attrgetter("task"), tasks)
+
+
+def _grouped(
+    allocations: Sequence[Allocation], key: Callable[[Allocation], str], wanted: Iterable[str]
+) -> Dict[str, List[Allocation]]:
+    groups: Dict[str, List[Allocation]] = {name: [] for name in wanted}
+    # Of thousands of allocations a list shows few: the others are passed over without running Python code.
+    for allocation in compress(allocations, map(groups.__contains__, map(key, allocations))):
+        groups[key(allocation)].append(allocation)
+    return groups

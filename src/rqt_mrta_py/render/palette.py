@@ -118,7 +118,7 @@ class TaskColours:
         labels += [allocation.task for allocation in view.record.allocations]
         groups = [group for panel in view.panels for group in panel.groups[:_MOST_GROUPS]]
         labels += [curve.label for group in groups for curve in group.curves]
-        return cls(labels)
+        return _colours(tuple(labels))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, TaskColours) and self._colours == other._colours
@@ -127,6 +127,12 @@ class TaskColours:
 
     def __getitem__(self, label: str) -> Colour:
         return self._colours.get(label, MUTED)
+
+
+@lru_cache(maxsize=2)
+def _colours(labels: Tuple[str, ...]) -> TaskColours:
+    """Give colours as before while there is nothing new to be given one."""
+    return TaskColours(labels)
 
 
 @lru_cache(maxsize=1024)

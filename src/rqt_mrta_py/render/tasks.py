@@ -8,7 +8,7 @@ from rqt_mrta_py.model import TaskState
 from rqt_mrta_py.render.canvas import Box, Canvas
 from rqt_mrta_py.render.foremost import ENDED, foremost_tasks
 from rqt_mrta_py.render.layout import BOLD, PLAIN, SMALL, inside, more, rows
-from rqt_mrta_py.render.page import Page, Part
+from rqt_mrta_py.render.page import Page, Part, by_task
 from rqt_mrta_py.render.palette import GRID, INK, MUTED, TASK_STATE_COLOURS, WHITE, Colour, mix, readable_on
 from rqt_mrta_py.render.signs import TASK_SIGNS, diamond
 from rqt_mrta_py.render.text import fit, shorten
@@ -70,11 +70,13 @@ def tasks_part(page: Page, panel: Box) -> Part:
     tasks = page.view.record.tasks
     height, shown = tasks_rows(panel, len(tasks))
     states = [task.state for task in tasks]
+    foremost = foremost_tasks(page.view, shown)
+    held = by_task(page.held, [task.id for task in foremost])
     found = []
-    for task in foremost_tasks(page.view, shown):
-        held = page.open_by_task.get(task.id, ())
-        holders = tuple([allocation.robot for allocation in held[:_MOST_HOLDERS]])
-        found.append(_Row(task.id, task.state, page.colours[task.id], holders, len(held)))
+    for task in foremost:
+        holding = held[task.id]
+        holders = tuple([allocation.robot for allocation in holding[:_MOST_HOLDERS]])
+        found.append(_Row(task.id, task.state, page.colours[task.id], holders, len(holding)))
     content = _Tasks(panel, tuple(found), len(tasks), height, sum(states.count(state) for state in ENDED))
     return Part(panel, content, _draw_tasks)
 

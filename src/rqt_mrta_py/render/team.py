@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Optional, Tuple
+from typing import NamedTuple, Optional, Sequence, Tuple
 
-from rqt_mrta_py.model import RobotRecord, RobotState
+from rqt_mrta_py.model import Allocation, RobotRecord, RobotState
 from rqt_mrta_py.render.canvas import Box, Canvas
 from rqt_mrta_py.render.foremost import foremost_robots
 from rqt_mrta_py.render.layout import BOLD, PLAIN, SMALL, TEAM, inside, more, rows
-from rqt_mrta_py.render.page import Page, Part
+from rqt_mrta_py.render.page import Page, Part, by_robot
 from rqt_mrta_py.render.palette import GRID, INK, MUTED, WHITE, Colour
 from rqt_mrta_py.render.signs import diamond, light
 from rqt_mrta_py.render.text import shorten, text_width
@@ -57,9 +57,11 @@ def team_part(page: Page) -> Part:
     """
     robots = page.view.record.robots
     height, shown = team_rows(len(robots))
-    states = [robot.state for robot in robots]
+    states = list(page.states.values())
+    foremost = foremost_robots(page.view, shown, page.troubled)
+    held = by_robot(page.held, [robot.id for robot in foremost])
     content = _Team(
-        tuple(_row(page, robot) for robot in foremost_robots(page.view, shown, page.troubled)),
+        tuple([_row(page, robot, held[robot.id]) for robot in foremost]),
         len(robots),
         height,
         tuple(states.count(state) for state in _COUNTED),
@@ -72,8 +74,7 @@ def light_radius(height: float) -> float:
     return min(12.0, 0.5 * height - 5.0)
 
 
-def _row(page: Page, robot: RobotRecord) -> _Row:
-    held = page.open_by_robot.get(robot.id, ())
+def _row(page: Page, robot: RobotRecord, held: Sequence[Allocation]) -> _Row:
     since = held[-1].start if held else robot.states[-1].start if robot.states else None
     words = "" if since is None else f"since {whole_seconds(elapsed(page.view, since))}"
     if not held:

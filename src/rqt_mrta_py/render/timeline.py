@@ -10,7 +10,7 @@ from rqt_mrta_py.render.canvas import Box, Canvas
 from rqt_mrta_py.render.foremost import foremost_robots
 from rqt_mrta_py.render.layout import PLAIN, SMALL, TIMELINE, inside
 from rqt_mrta_py.render.marks import Mark, draw_marks, mark_of
-from rqt_mrta_py.render.page import Page, Part
+from rqt_mrta_py.render.page import Page, Part, by_robot
 from rqt_mrta_py.render.palette import (
     FAINT,
     GRID,
@@ -100,16 +100,16 @@ def timeline_part(page: Page) -> Part:
     start, end = mission_span(view)
     axis = TimeAxis(start, end, room.left + _NAMES, room.right - 8.0, start)
     robots = foremost_robots(view, shown, page.troubled)
-    named = {robot.id for robot in robots}
+    given = by_robot(view.record.allocations, [robot.id for robot in robots])
     marks: Dict[str, List[Mark]] = {}
     for label in view.scene.labels:
-        marks.setdefault(label.robot if label.robot in named else "", []).append(
+        marks.setdefault(label.robot if label.robot in given else "", []).append(
             mark_of(label, round(axis(label.time)), page.colours)
         )
     content = _Timeline(
         axis,
         height,
-        tuple([_row(page, axis, robot, tuple(marks.get(robot.id, ()))) for robot in robots]),
+        tuple([_row(page, axis, robot, given[robot.id], tuple(marks.get(robot.id, ()))) for robot in robots]),
         len(view.record.robots),
         _incidents(page, axis),
         tuple(marks.get("", ())),
@@ -198,7 +198,7 @@ class _Shape(NamedTuple):
         return round(self.top + lane * self.lane)
 
 
-def _row(page: Page, axis: TimeAxis, robot: RobotRecord, marks: Tuple[Mark, ...]) -> _Row:
+def _row(page: Page, axis: TimeAxis, robot: RobotRecord, given: Sequence[Allocation], marks: Tuple[Mark, ...]) -> _Row:
     """Say what a row shows up to the last whole second; what still goes on ends there."""
     now = page.view.now
     settled = axis(page.settled)
@@ -207,7 +207,7 @@ def _row(page: Page, axis: TimeAxis, robot: RobotRecord, marks: Tuple[Mark, ...]
         left = round(axis(each.start))
         strips.append((left, max(left, round(settled if each.end >= now else axis(each.end))), each.state))
     bars = []
-    for allocation, lane in lanes(page.by_robot.get(robot.id, ())):
+    for allocation, lane in lanes(given):
         left = round(axis(allocation.start))
         right = round(settled if allocation.outcome is Outcome.OPEN else axis(allocation.end))
         colour = page.colours[allocation.task]

@@ -9,11 +9,11 @@ from typing import List, NamedTuple, Sequence, Tuple
 import numpy as np
 
 from rqt_mrta_py.hooks import RobotSight
-from rqt_mrta_py.model import Arena
+from rqt_mrta_py.model import Allocation, Arena
 from rqt_mrta_py.render.canvas import Canvas
 from rqt_mrta_py.render.floor import ArenaMap
 from rqt_mrta_py.render.layout import ARENA, inside
-from rqt_mrta_py.render.page import FEW, Page, Part
+from rqt_mrta_py.render.page import FEW, Page, Part, by_robot
 from rqt_mrta_py.render.palette import FAINT, TRAIL, Colour, mix
 from rqt_mrta_py.render.spells import spells
 
@@ -52,10 +52,12 @@ def cut_trails(page: Page, place: ArenaMap) -> Tuple[Part, Tuple[Stroke, ...]]:
     """
     settled: List[Stroke] = []
     fresh: List[Stroke] = []
-    if len(page.view.scene.robots) <= FEW:
-        for robot in page.view.scene.robots:
+    robots = page.view.scene.robots
+    if len(robots) <= FEW:
+        held = by_robot(page.view.record.allocations, [robot.id for robot in robots])
+        for robot in robots:
             if len(robot.trail) > 1:
-                _cut(page, robot, settled, fresh)
+                _cut(page, robot, held[robot.id], settled, fresh)
     return Part(place.box, _Trails(place.floor, tuple(settled)), _draw_trails), tuple(fresh)
 
 
@@ -77,7 +79,7 @@ def draw_fresh_trails(canvas: Canvas, robots: Sequence[RobotSight], place: Arena
     canvas.thin_lines(place.inside_array(points), lengths, _THIN_TRAIL)
 
 
-def _cut(page: Page, robot: RobotSight, settled: List[Stroke], fresh: List[Stroke]) -> None:
+def _cut(page: Page, robot: RobotSight, held: Sequence[Allocation], settled: List[Stroke], fresh: List[Stroke]) -> None:
     """Cut one trail at every change of colour, and where it ceases to be settled.
 
     Each stroke begins with the point that the one before ends with.
@@ -87,7 +89,7 @@ def _cut(page: Page, robot: RobotSight, settled: List[Stroke], fresh: List[Strok
     begin = page.minute_ago
     edges = [begin + (page.settled - begin) * third / 3.0 for third in (1, 2)]
     first_settled, last_settled = bisect_left(trail, (begin,)), bisect_left(trail, (page.settled,))
-    for since, until, task in spells(page.by_robot.get(robot.id, ()), oldest, newest):
+    for since, until, task in spells(held, oldest, newest):
         colour = TRAIL if task is None else page.colours[task]
         start = bisect_left(trail, (since,))
         end = len(trail) if until >= newest else bisect_left(trail, (until,))
