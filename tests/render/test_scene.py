@@ -294,3 +294,25 @@ def test_scene_trail_of_a_robot_not_heard_any_more_forgets_too() -> None:
     assert times(12.5) == [3.0, 4.0]
     assert times(99.0) == [4.0]
     assert times(11.0) == [1.0, 2.0, 3.0, 4.0]
+
+
+moments = st.lists(
+    st.tuples(st.sampled_from(["robot1", "robot2", "stranger"]), st.floats(0.0, 5.0), st.booleans()), max_size=20
+)
+
+
+@given(moments)
+def test_scene_shows_what_was_heard_whatever_views_were_asked_for_before(
+    steps: List[Tuple[str, float, bool]],
+) -> None:
+    looked_at, time = SceneTracker(mission(), {}, trail=8.0), 0.0
+    heard = []
+    for robot, passed, speaks in steps:
+        time += passed
+        if speaks:
+            heard.append(pose(robot, time, time, 0.0))
+            looked_at.hear(heard[-1])
+        fresh = SceneTracker(mission(), {}, trail=8.0)
+        for message in heard:
+            fresh.hear(message)
+        assert looked_at.view(time) == fresh.view(time)

@@ -59,6 +59,9 @@ class SceneTracker:
             any(normalise_id(sensor.topic) == "pose" for sensor in robot.sensors) for robot in scenario.robots
         )
         self._labels = LabelKeeper()
+        # What the newest view shows of the robots, while nothing newer is heard of them.
+        self._sights: Optional[Tuple[RobotSight, ...]] = None
+        self._seen_at = self._oldest = 0.0
         self._ears: Dict[str, Callable[[Heard], None]] = {
             _POSES.type: self._hear_pose,
             _TRANSFORMS[0].type: self._hear_transforms,
@@ -86,11 +89,16 @@ class SceneTracker:
             now: the moment, not before the newest message heard [s].
             whole: give whole paths, thinned, rather than the trails of the last seconds.
         """
-        tracks = self._tracks.values()
-        robots = [track.whole_sight() for track in tracks] if whole else [track.sight(now) for track in tracks]
-        return SceneView(
-            self._arena, self._obstacles, tuple(robots), tuple(self._tasks.values()), self._labels.labels()
-        )
+        robots = tuple([track.whole_sight() for track in self._tracks.values()]) if whole else self._seen(now)
+        return SceneView(self._arena, self._obstacles, robots, tuple(self._tasks.values()), self._labels.labels())
+
+    def _seen(self, now: float) -> Tuple[RobotSight, ...]:
+        """Give the robots with their recent trails; the same again until one is heard or a trail grows too old."""
+        if self._sights is None or now < self._seen_at or self._oldest < now - self._trail:
+            sights = self._sights = tuple([track.sight(now) for track in self._tracks.values()])
+            self._seen_at = now
+            self._oldest = min((sight.trail[0][0] for sight in sights if len(sight.trail) > 1), default=math.inf)
+        return self._sights
 
     def _hear_pose(self, heard: Heard) -> None:
         fields = heard.fields
@@ -100,6 +108,7 @@ class SceneTracker:
         if frame not in {"map", "/map"} or not math.isfinite(x + y + qx + qy + qz + qw):
             return
         track = self._tracks.get(heard.robot) or self._track(heard.robot)
+        self._sights = None
         track.turn = turn
         track.located = True
         track.path.add(heard.receipt, x, y)
@@ -108,6 +117,7 @@ class SceneTracker:
         for robot, pose in self._frames.take(heard.fields["transforms"]):
             track = self._track(robot)
             if not track.located:
+                self._sights = None
                 track.turn = (0.0, 0.0, math.sin(pose.yaw / 2.0), math.cos(pose.yaw / 2.0))
                 track.path.add(heard.receipt, pose.x, pose.y)
 
