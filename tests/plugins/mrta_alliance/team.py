@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 from mrta_alliance.agent import AllianceAgent
@@ -119,33 +119,66 @@ def announcements(decision: Decision) -> List[Outgoing]:
     return [message for message in decision.messages if message.topic == COMMUNICATION]
 
 
+Carry = Callable[[str, str, int], Sequence[int]]
+"""From sender, receiver and the cycle in which something is said to how many cycles later it is heard, each time."""
+
+
+def perfectly(sender: str, receiver: str, cycle: int) -> Sequence[int]:
+    """Carry every message once, to the next cycle."""
+    return (1,)
+
+
 class Team:
     """Agents by robot, stepped together; a robot that stopped neither hears nor speaks."""
 
-    def __init__(self, agents: Mapping[str, AllianceAgent], tasks: Sequence[str]) -> None:
+    def __init__(
+        self,
+        agents: Mapping[str, AllianceAgent],
+        tasks: Sequence[str],
+        carry: Carry = perfectly,
+        clocks: Optional[Mapping[str, float]] = None,
+    ) -> None:
+        """Make a team.
+
+        Args:
+            agents: by robot.
+            tasks: ids of all tasks.
+            carry: how announcements travel.
+            clocks: by how much a robot's clock is ahead [s]; those left out are in step.
+        """
         self.agents = agents
         self.tasks = tasks
+        self.carry = carry
+        self.clocks = {robot: (clocks or {}).get(robot, 0.0) for robot in agents}
         self.cycle = 0
         self.stopped: List[str] = []
         self.deaf: List[str] = []
         self.decisions: Dict[str, Decision] = {}
-        self._on_air: List[Heard] = []
+        self._on_air: Dict[Tuple[int, str], List[Heard]] = {}
 
     def step(self, *reports: TaskReport) -> Dict[str, Decision]:
         """Go through one cycle with everybody; a robot that is deaf hears no reports."""
         self.cycle += 1
-        now = time_of(self.cycle)
-        heard, self._on_air = self._on_air, []
         self.decisions = {}
         for robot, who in self.agents.items():
+            heard = self._on_air.pop((self.cycle, robot), [])
             if robot in self.stopped:
                 continue
+            now = time_of(self.cycle) + self.clocks[robot]
             decision = step(who, now, heard, reports=() if robot in self.deaf else reports, tasks=self.tasks)
             self.decisions[robot] = decision
             for message in announcements(decision):
-                fields = message.fields
-                self._on_air.append(announced(robot, fields["task_id"], now, fields["expected_duration"]))
+                self._send(robot, message)
         return self.decisions
+
+    def _send(self, sender: str, message: Outgoing) -> None:
+        fields = message.fields
+        for receiver in self.agents:
+            for delay in self.carry(sender, receiver, self.cycle):
+                receipt = time_of(self.cycle + delay - 1) + self.clocks[receiver]
+                stamp = fields["header"]["stamp"]
+                heard = announced(sender, fields["task_id"], receipt, fields["expected_duration"], stamp)
+                self._on_air.setdefault((self.cycle + delay, receiver), []).append(heard)
 
     def step_to(self, cycle: int) -> Dict[str, Decision]:
         """Go on up to and including a cycle."""

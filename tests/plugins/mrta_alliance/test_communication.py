@@ -7,7 +7,9 @@ import logging
 import pytest
 from mrta_alliance.communication import Communication, Hazard
 from mrta_alliance.history import History
+from mrta_alliance.messages import hazard_notice
 
+from rqt_mrta_py.transport import RosCodec
 from tests.plugins.mrta_alliance.team import agent, announced, behaviour_set, motivations, nested, step
 
 
@@ -125,3 +127,28 @@ def test_agent_is_never_quickened_by_a_short_expected_duration() -> None:
     one = agent("one", nested(behaviour_set("patrol")), ["patrol"])
     said = motivations(step(one, 1.0, [announced("two", "patrol", 1.0, expected=5.0)]))["patrol"]
     assert said["impatience"] == 1.0
+
+
+def test_agent_puts_each_hazard_and_sender_into_the_ros_log_once() -> None:
+    """So that a bag holds it: level 4 is a warning."""
+    one = agent("one", nested(behaviour_set("patrol")), ["patrol"])
+    said = []
+    for now, sender, expected in ((1.0, "two", 0.0), (1.2, "two", 0.0), (1.4, "two", 5.0), (1.6, "three", 0.0)):
+        decision = step(one, now, [announced(sender, "patrol", now, expected)])
+        said.append([message.fields for message in decision.messages if message.topic == "/rosout"])
+    assert [[fields["msg"] for fields in each] for each in said] == [
+        ["sender=two task=patrol announcement=ignored hazard='expected duration not above zero'"],
+        [],
+        ["sender=two task=patrol announcement=heard hazard='expected duration too short to slow this robot down'"],
+        ["sender=three task=patrol announcement=ignored hazard='expected duration not above zero'"],
+    ]
+    (first,) = said[0]
+    assert (first["header"], first["level"], first["name"]) == ({"stamp": 1.0}, 4, "/one/agent")
+
+
+def test_notice_of_a_hazard_is_a_line_of_the_ros_log() -> None:
+    codec = RosCodec(lambda type_name: None)
+    message = hazard_notice("one", 1.5, "sender=two")
+    connection = codec.connection(message.topic, message.type)
+    decoded = codec.decode(connection, codec.encode(message.type, message.fields))
+    assert (decoded["level"], decoded["name"], decoded["msg"]) == (4, "/one/agent", "sender=two")

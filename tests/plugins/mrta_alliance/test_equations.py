@@ -1,6 +1,8 @@
-"""Equations 3.1 to 3.9 against values calculated by hand (the calculation stands beside each value)."""
+"""Equations 3.1 to 3.12 against values calculated by hand (the calculation stands beside each value)."""
 
 from __future__ import annotations
+
+import math
 
 import pytest
 from hypothesis import given
@@ -182,3 +184,29 @@ def test_received_counts_every_message_on_one_side_of_a_cut(times: list, cut: fl
     before = [time for time in times if equations.received((time,), -1.0, cut)]
     after = [time for time in times if equations.received((time,), cut, 2e4)]
     assert before + after == times
+
+
+@pytest.mark.parametrize(
+    ("value", "growth", "expected"),
+    [
+        (0.0, 1.5, 4.0),  # 30 / (1.5 x 5)
+        (12.0, 0.5, 7.2),  # 18 / (0.5 x 5)
+        (28.5, 1.5, 0.2),  # one cycle
+        (30.0, 1.5, 0.0),  # active
+    ],
+)
+def test_time_to_activation_is_what_is_left_over_the_growth_per_second(
+    value: float, growth: float, expected: float
+) -> None:
+    """Equation 3.10 with theta = 30 and rho = 5 Hz."""
+    assert equations.time_to_activation(value, growth, 30.0, 5.0, is_blocked=False) == pytest.approx(expected)
+
+
+def test_time_to_activation_in_normalised_form() -> None:
+    """Equation 3.12: (1 - 0.4) / (0.05 x 5)."""
+    assert equations.time_to_activation(0.4, 0.05, 1.0, 5.0, is_blocked=False) == pytest.approx(2.4)
+
+
+@pytest.mark.parametrize(("growth", "blocked"), [(1.5, True), (0.0, False)])
+def test_time_to_activation_is_undefined_where_motivation_does_not_grow(growth: float, blocked: bool) -> None:
+    assert math.isnan(equations.time_to_activation(0.0, growth, 30.0, 5.0, is_blocked=blocked))

@@ -24,7 +24,7 @@ def manager() -> PluginManager:
 def test_plugin_registers_agent_interpreter_panel_and_sensors(manager: PluginManager) -> None:
     assert manager.registered("mrta_register_agents") == {"mrta_alliance": AllianceAgent}
     assert manager.registered("mrta_register_allocation_interpreters") == {"mrta_alliance": AllianceInterpreter}
-    assert manager.registered("mrta_register_monitor_panels") == {"rqt_alliance/alliance_plugin": MotivationPanel}
+    assert manager.registered("mrta_register_monitor_panels")["rqt_alliance/alliance_plugin"] is MotivationPanel
     assert manager.registered("mrta_register_robot_sensors") == {
         "mrta_alliance/any_message": AnyMessage,
         "mrta_alliance/scan": Scan,

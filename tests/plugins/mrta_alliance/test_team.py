@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from pathlib import Path
 from typing import Any, Dict, Sequence
@@ -120,3 +121,27 @@ def test_agent_says_motivations_times_feedback_then_its_announcement() -> None:
         "alliance/sensory_feedback",
         "/alliance/inter_robot_communication",
     ]
+
+
+def test_time_to_activation_is_told_for_every_set_in_file_order() -> None:
+    """After one cycle patrol has 28.5 of 30 to go by 1.5 x 5 a second; inspect is not applicable."""
+    told = nested(behaviour_set("patrol", 1.5), behaviour_set("inspect"))
+    one = agent("one", told, ["patrol", "inspect"])
+    (message,) = (m for m in step(one, 1.0, impossible=["inspect"]).messages if m.topic.endswith("time_to_activation"))
+    assert message.fields["task_ids"] == ["patrol", "inspect"]
+    assert message.fields["seconds"][0] == pytest.approx(3.8)
+    assert math.isnan(message.fields["seconds"][1])
+
+
+def test_time_to_activation_comes_true_while_impatience_stays() -> None:
+    one = agent("one", nested(behaviour_set("patrol", 0.7)), ["patrol"])
+    promised = []
+    while True:
+        now = 1.0 + 0.2 * len(promised)
+        decision = step(one, now)
+        (message,) = (m for m in decision.messages if m.topic.endswith("time_to_activation"))
+        promised.append(now + message.fields["seconds"][0])
+        if decision.task:
+            break
+    assert message.fields["seconds"] == [0.0]
+    assert all(now - 0.2 <= time <= now + 1e-9 for time in promised)
