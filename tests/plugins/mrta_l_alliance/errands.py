@@ -93,7 +93,7 @@ class ErrandMission:
     Args:
         errands: see there.
         parameters: by robot; with a group ``learning`` an L-ALLIANCE agent is made of them.
-        seed: of how long work takes, and of the agents.
+        seed: of how long work takes, whoever does it when, and of the agents.
     """
 
     def __init__(self, errands: Errands, parameters: Mapping[str, Mapping[str, Any]], seed: int) -> None:
@@ -106,7 +106,10 @@ class ErrandMission:
         self.spells: List[Spell] = []
         self.stopped: Dict[str, float] = {}
         self.agents: Dict[str, Agent] = {}
-        self._random = np.random.default_rng(seed)
+        self._noise = {
+            pair: max(0.3, 1.0 + errands.spread * float(np.random.default_rng([seed, number]).standard_normal()))
+            for number, pair in enumerate(errands.work)
+        }
         self._positions = dict(errands.starts)
         self._spell: Dict[str, Optional[Spell]] = dict.fromkeys(self.team)
         self._left: Dict[str, Tuple[float, float]] = {}
@@ -119,10 +122,11 @@ class ErrandMission:
             self.agents[robot] = LAllianceAgent(setup) if "learning" in parameters[robot] else AllianceAgent(setup)
 
     def run(self, duration: float = 2000.0) -> float:
-        """Go on until all is done; give when that was, or the duration if it never was [s]."""
+        """Go on until all is done and everybody knows; give when that was, or the duration if it never was [s]."""
         while self.now < 1.0 + duration:
             self.step()
-            if len(self.done) == len(self.tasks):
+            told = not any(self._reports[robot] for robot in self.team if robot not in self.stopped)
+            if len(self.done) == len(self.tasks) and told:
                 return max(self.done.values()) - 1.0
         return duration
 
@@ -157,9 +161,8 @@ class ErrandMission:
             self._let_go(robot, "dropped")
             spell = self._spell[robot] = Spell(robot, task, self.now)
             self.spells.append(spell)
-            noise = max(0.3, 1.0 + self.errands.spread * float(self._random.standard_normal()))
             way = math.dist(self._positions[robot], self.errands.places[task]) / self.errands.speeds[robot]
-            self._left[robot] = (way, self.errands.work[robot, task] * noise)
+            self._left[robot] = (way, self.errands.work[robot, task] * self._noise[robot, task])
         way, work = self._left[robot]
         if way > 0.0:
             self._left[robot] = (way - 1.0 / SPIN_RATE, work)

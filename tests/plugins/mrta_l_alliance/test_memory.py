@@ -7,7 +7,7 @@ from typing import Dict, Tuple
 
 import pytest
 import yaml
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from mrta_l_alliance.memory import NOTHING, Memory, Performance, read_memory, written
 
@@ -36,7 +36,8 @@ def test_a_memory_is_one_line_of_yaml() -> None:
     assert yaml.safe_load(text)["r2"]["dig"]["times"] == [30.123]
 
 
-@given(st.dictionaries(st.tuples(IDS, IDS), PERFORMANCES))
+@settings(max_examples=30)
+@given(st.dictionaries(st.tuples(IDS, IDS), PERFORMANCES, max_size=5))
 def test_a_memory_reads_as_it_was_written(known: Dict[Tuple[str, str], Performance]) -> None:
     text = written(Memory(known))
     assert "\n" not in text
