@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from typing import Any, Dict, List, NamedTuple, Sequence, Tuple
 
 from hypothesis import given, settings
@@ -123,6 +124,21 @@ def test_a_free_robot_takes_over_in_time(kinds_of: List[Kind], plan: List[Tuple[
                 assert waited <= tau + THRESHOLD / (rate * SPIN_RATE) + CYCLE + 1e-6
 
 
+def overlaps(team: Team, before: Dict[Tuple[str, str, str], float]) -> Dict[Tuple[str, str, str], float]:
+    """Give since when two robots have held one task, by task and robots."""
+    return {
+        (task, one, other): before.get((task, one, other), time_of(team.cycle))
+        for task, holders in team.holders().items()
+        for one, other in itertools.combinations(holders, 2)
+    }
+
+
+def longest(kinds_of: Sequence[Kind], *pair: str) -> float:
+    """Give the larger of psi and the period of announcements, of two robots [s]."""
+    told = [kinds_of[int(robot[-1])] for robot in pair]
+    return max(limit for each in told for limit in (each.yielding_delay, each.period))
+
+
 @settings(max_examples=15, deadline=None)
 @given(teams, losses, st.integers(1, len(TASKS)))
 def test_no_two_robots_hold_one_task_for_long(kinds_of: List[Kind], plan: List[Tuple[int, int]], tasks: int) -> None:
@@ -133,16 +149,26 @@ def test_no_two_robots_hold_one_task_for_long(kinds_of: List[Kind], plan: List[T
     for _ in range(CYCLES):
         lose(team, plan)
         team.step()
-        now, before = time_of(team.cycle), since
-        since = {}
-        for task, holders in team.holders().items():
-            for index, one in enumerate(holders):
-                for other in holders[index + 1 :]:
-                    since[task, one, other] = before.get((task, one, other), now)
+        since = overlaps(team, since)
         for (_, *pair), begin in since.items():
-            told = [kinds_of[int(robot[-1])] for robot in pair]
-            longest = max(limit for each in told for limit in (each.yielding_delay, each.period))
-            assert now - begin <= longest + 1e-6
+            assert time_of(team.cycle) - begin <= longest(kinds_of, *pair) + 1e-6
+
+
+@settings(max_examples=10, deadline=None)
+@given(teams, st.integers(0, 3), st.integers(1, 80), st.integers(1, 100))
+def test_robot_that_returns_settles_with_whoever_took_over(
+    kinds_of: List[Kind], who: int, cycle: int, away: int
+) -> None:
+    """It has first to hear and to be heard: announcements meet cycles, which takes up to two of them more."""
+    team = made(kinds_of, TASKS[:2])
+    since: Dict[Tuple[str, str, str], float] = {}
+    for _ in range(CYCLES):
+        away_now = cycle <= team.cycle + 1 < cycle + away
+        team.stopped = [f"robot{who % len(kinds_of)}"] if away_now else []
+        team.step()
+        since = overlaps(team, since)
+        for (_, *pair), begin in since.items():
+            assert time_of(team.cycle) - begin <= longest(kinds_of, *pair) + 2 * CYCLE + 1e-6
 
 
 @settings(max_examples=15, deadline=None)
