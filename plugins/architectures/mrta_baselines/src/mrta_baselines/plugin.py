@@ -1,0 +1,33 @@
+"""The baselines' implementations of hooks."""
+
+from __future__ import annotations
+
+from typing import Any, Mapping, Sequence
+
+from nearest_robot.interpreter import NearestRobotInterpreter
+
+from mrta_baselines.agent import BaselineAgent
+from mrta_baselines.parameters import find_problems
+from rqt_mrta_py.hooks import AgentFactory, AllocationInterpreterFactory, ParameterProblem, hookimpl
+
+__all__ = ["mrta_check_parameters", "mrta_register_agents", "mrta_register_allocation_interpreters"]
+
+_ARCHITECTURE = "mrta_baselines"
+
+
+@hookimpl
+def mrta_register_agents() -> Mapping[str, AgentFactory]:
+    """Name the agent."""
+    return {_ARCHITECTURE: BaselineAgent}
+
+
+@hookimpl
+def mrta_register_allocation_interpreters() -> Mapping[str, AllocationInterpreterFactory]:
+    """Name who reads bids."""
+    return {_ARCHITECTURE: NearestRobotInterpreter}
+
+
+@hookimpl
+def mrta_check_parameters(architecture: str, parameters: Mapping[str, Any]) -> Sequence[ParameterProblem]:
+    """Find values that robots cannot work with."""
+    return find_problems(parameters) if architecture == _ARCHITECTURE else ()
