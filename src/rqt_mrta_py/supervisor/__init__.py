@@ -5,7 +5,7 @@
 * ``ears``: what to hear, and what the team is told for it; ``statements``: what follows from what is stated
 * ``topics``, ``readers``: which topics an architecture has, how their messages tell robots and tasks
 * ``team``: derives facts; ``robots``, ``tasks``, ``allocations`` keep one thing each, ``timeline`` their histories
-* ``agenda``: what falls due when; ``copies``: a team that looks ahead without moving on; ``making``: values of a record
+* ``agenda``: what falls due when; ``copies``: a team that looks ahead without moving on
 * ``desk``, ``rules``: incidents; ``failures``: plugins that raise on the way
 * ``journal``, ``news``, ``summary``: the same for readers, for other nodes, for programs
 * ``statistics``: numbers of a finished mission

@@ -8,7 +8,6 @@ from typing import Dict, List, Optional, Tuple
 from rqt_mrta_py.hooks import Heard
 from rqt_mrta_py.model import Allocation, Outcome
 from rqt_mrta_py.supervisor.agenda import whole_nanoseconds
-from rqt_mrta_py.supervisor.making import allocation
 
 __all__ = ["AllocationBook", "Hold"]
 
@@ -154,7 +153,7 @@ class AllocationBook:
         is_open = Outcome.OPEN
         for holds in self._of_robot.values():
             for hold in holds.values():
-                entries[hold.order] = allocation(hold.task, hold.robot, hold.start, end, is_open)
+                entries[hold.order] = Allocation(hold.task, hold.robot, hold.start, end, is_open)
         return tuple([entries[order] for order in sorted(entries)])
 
     def fork(self) -> AllocationBook:

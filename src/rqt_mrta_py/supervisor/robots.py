@@ -8,7 +8,6 @@ from typing import Optional
 
 from rqt_mrta_py.model import RobotInterval, RobotRecord, RobotState
 from rqt_mrta_py.supervisor.agenda import whole_nanoseconds
-from rqt_mrta_py.supervisor.making import robot_record
 from rqt_mrta_py.supervisor.message_key import MessageKey
 from rqt_mrta_py.supervisor.timeline import Timeline
 
@@ -79,7 +78,7 @@ class RobotWatch:
 
     def record(self, end: float) -> RobotRecord:
         """Give the history up to a time [s]."""
-        return robot_record(self.id, self.timeline.intervals(end), self.last_heard)
+        return RobotRecord(self.id, self.timeline.intervals(end), self.last_heard)
 
     def fork(self) -> RobotWatch:
         """Copy this watch, so that the copy can go on by itself."""

@@ -7,7 +7,6 @@ import math
 from typing import FrozenSet, Iterable, Mapping, Optional
 
 from rqt_mrta_py.model import RobotState, TaskInterval, TaskRecord, TaskState
-from rqt_mrta_py.supervisor.making import task_record
 from rqt_mrta_py.supervisor.timeline import Timeline
 
 __all__ = ["FINAL", "TRANSITIONS", "TaskWatch", "state_when_held"]
@@ -79,7 +78,7 @@ class TaskWatch:
 
     def record(self, end: float) -> TaskRecord:
         """Give the history up to a time [s]."""
-        return task_record(self.id, self.timeline.intervals(end))
+        return TaskRecord(self.id, self.timeline.intervals(end))
 
     def fork(self) -> TaskWatch:
         """Copy this watch, so that the copy can go on by itself."""

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Generic, Tuple, Type, TypeVar
+from typing import Callable, Generic, List, Tuple, TypeVar
 
 from rqt_mrta_py.model import RobotInterval, RobotState, TaskInterval, TaskState
-from rqt_mrta_py.supervisor.making import interval
 
 __all__ = ["Timeline"]
 
@@ -17,14 +16,14 @@ class Timeline(Generic[_State, _Interval]):
     """A history without gaps and overlaps; the newest interval is open, all others have a length.
 
     Args:
-        kind: of its intervals.
+        make: builds an interval from state, start and end [s].
         state: the first state.
         start: when it begins [s].
     """
 
-    def __init__(self, kind: Type[_Interval], state: _State, start: float) -> None:
-        self._kind: Type[_Interval] = kind
-        self._closed: Tuple[_Interval, ...] = ()
+    def __init__(self, make: Callable[[_State, float, float], _Interval], state: _State, start: float) -> None:
+        self._make: Callable[[_State, float, float], _Interval] = make
+        self._closed: List[_Interval] = []
         self.state: _State = state
         self.since = start
 
@@ -40,12 +39,11 @@ class Timeline(Generic[_State, _Interval]):
         """
         time = max(time, self.since)
         if time > self.since:
-            self._closed += (interval(self._kind, self.state, self.since, time),)
+            self._closed.append(self._make(self.state, self.since, time))
         self.state, self.since = state, time
         if self._closed and self._closed[-1].state is state:
             # What lay between had no length: the older interval goes on.
-            self.since = self._closed[-1].start
-            self._closed = self._closed[:-1]
+            self.since = self._closed.pop().start
         return time
 
     def intervals(self, end: float) -> Tuple[_Interval, ...]:
@@ -54,11 +52,11 @@ class Timeline(Generic[_State, _Interval]):
         Args:
             end: where the open interval is cut [s].
         """
-        present = (interval(self._kind, self.state, self.since, end),)
-        return self._closed + present if self._closed else present
+        present = (self._make(self.state, self.since, end),)
+        return tuple(self._closed) + present if self._closed else present
 
     def fork(self) -> Timeline[_State, _Interval]:
         """Copy the history, so that the copy can go on by itself."""
-        twin: Timeline[_State, _Interval] = Timeline(self._kind, self.state, self.since)
-        twin._closed = self._closed
+        twin: Timeline[_State, _Interval] = Timeline(self._make, self.state, self.since)
+        twin._closed.extend(self._closed)
         return twin
