@@ -1,7 +1,8 @@
-"""How the original nodes time what they do, as their recording shows it; chosen by ``strict_original``.
+"""How the original nodes time what they do; chosen by ``strict_original``.
 
-The recording is that of the C++ nodes high_level and low_level of the ROS package alliance 1.0.6. What they do
-otherwise than the equations (in brackets: what the equations say):
+They are the C++ nodes high_level and low_level of the ROS package alliance. What is said here was read in its public
+sources and checked against a recording of 1.0.6, which shows all but a missed reset and a wrong inhibition. What the
+nodes do otherwise than the equations (in brackets: what the equations say):
 
 * A cycle evaluates first and takes in afterwards what came, so that a message counts one cycle later.
 * Announcements count at their stamps, and are ignored unless later than the newest of the same robot (at receipt).
