@@ -1,7 +1,8 @@
 """Bags of ROS 1, format 2.0.
 
 * ``writer``: a recording, chunk by chunk
-* ``chunks``, ``headers``, ``records``, ``compression``: what it is made of
+* ``numbering``, ``pending``: what it knows while its messages wait for their chunk
+* ``chunks``, ``headers``, ``windows``, ``records``, ``compression``: what it is made of
 * ``reader``: whole bags, by time of receipt
 * ``chunk_walk``: damaged ones, in the order of the file; ``scan``, ``connections``: how it finds its way
 * ``faults``: what could not be read

@@ -1,24 +1,20 @@
 """Chunks of a bag: the records of some messages, and where each connection's messages stand among them.
 
-A chunk holds thousands of small messages, so it is made column by column.
+A chunk holds thousands of small messages, so it is made column by column, and row by row where they are equally long.
 """
 
 from __future__ import annotations
 
-from operator import itemgetter
 from typing import Any, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rqt_mrta_py.transport.bags.headers import INDEX_HEADERS, MESSAGE_HEADERS
+from rqt_mrta_py.transport.bags.pending import Pending
+from rqt_mrta_py.transport.bags.windows import put
 
-__all__ = ["Chunk", "Pending", "build_chunk"]
-
-Pending = Tuple[int, int, bytes]
-"""A message that waits for its chunk: number of its connection, receipt [ns], bytes."""
-
-_number, _receipt, _raw = itemgetter(0), itemgetter(1), itemgetter(2)
+__all__ = ["Chunk", "build_chunk"]
 
 _ENTRY = np.dtype([("seconds", "<u4"), ("nanoseconds", "<u4"), ("offset", "<u4")])
 """An entry of an index: when a message was received, and where its record begins in the chunk."""
@@ -36,55 +32,53 @@ class Chunk(NamedTuple):
         described: how many connections this chunk and those before it describe.
     """
 
-    body: bytes
-    indexes: bytes
+    body: memoryview
+    indexes: memoryview
     start_ns: int
     end_ns: int
     counts: bytes
     described: int
 
 
-def build_chunk(messages: Sequence[Pending], descriptions: Sequence[bytes], described: int) -> Chunk:
+def build_chunk(pending: Pending, descriptions: Sequence[bytes], described: int) -> Chunk:
     """Put messages into a chunk.
 
     Args:
-        messages: in the order of writing; at least one.
+        pending: at least one message; a connection that no chunk describes yet has a single one before any in a block.
         descriptions: the records that describe the connections, by number.
         described: how many of them stand in earlier chunks.
     """
-    count = len(messages)
-    numbers = np.fromiter(map(_number, messages), np.int64, count)
-    receipts = np.fromiter(map(_receipt, messages), np.int64, count)
-    raws = list(map(_raw, messages))
-    sizes = np.fromiter(map(len, raws), np.int64, count)
+    numbers, receipts, sizes, singles, raws = pending.columns()
     seconds, nanoseconds = np.divmod(receipts, 1_000_000_000)
-
-    columns = {"connection": numbers, "seconds": seconds, "nanoseconds": nanoseconds, "size": sizes}
-    parts = [b""] * (2 * count)
-    parts[0::2] = MESSAGE_HEADERS.make(columns)
+    # Two parts are a single message; its header is put in with all the others.
+    parts = [MESSAGE_HEADERS.sample] * (2 * len(raws))
     parts[1::2] = raws
-
     lengths = sizes + MESSAGE_HEADERS.length
-    offsets = np.cumsum(lengths) - lengths
+    ends = np.cumsum(lengths)
     highest = int(numbers.max())
     if highest >= described:
-        offsets += _describe(numbers, descriptions, described, parts)
+        added = np.zeros(len(numbers), np.int64)
+        added[singles] = _describe(numbers[singles], descriptions, described, parts)
+        ends += np.cumsum(added)
+    starts = ends - lengths
 
-    entries = np.empty(count, _ENTRY)
-    entries["seconds"], entries["nanoseconds"], entries["offset"] = seconds, nanoseconds, offsets
+    body = _join_messages(pending, parts, starts, int(ends[-1]))
+    columns = {"connection": numbers, "seconds": seconds, "nanoseconds": nanoseconds, "size": sizes}
+    MESSAGE_HEADERS.put(body, starts, columns)
+
+    entries = np.empty(len(numbers), _ENTRY)
+    entries["seconds"], entries["nanoseconds"], entries["offset"] = seconds, nanoseconds, starts
     indexes, counts = _build_indexes(numbers, entries)
-    return Chunk(
-        b"".join(parts), indexes, int(receipts.min()), int(receipts.max()), counts, max(described, highest + 1)
-    )
+    return Chunk(body.data, indexes, int(receipts.min()), int(receipts.max()), counts, max(described, highest + 1))
 
 
 def _describe(
     numbers: NDArray[np.int64], descriptions: Sequence[bytes], described: int, parts: List[bytes]
 ) -> NDArray[np.int64]:
-    """Put each connection's description before its first message; two parts are a message.
+    """Put each connection's description before its first message.
 
     Returns:
-        By how much each message moves.
+        What stands before each message [bytes].
     """
     known = np.maximum.accumulate(np.maximum(numbers + 1, described))
     before = np.concatenate(([described], known[:-1]))
@@ -93,20 +87,49 @@ def _describe(
         text = b"".join(descriptions[before[place] : known[place]])
         parts[2 * place] = text + parts[2 * place]
         added[place] = len(text)
-    return np.cumsum(added)
+    return added
 
 
-def _build_indexes(numbers: NDArray[np.int64], entries: NDArray[Any]) -> Tuple[bytes, bytes]:
+def _join_messages(pending: Pending, parts: Sequence[bytes], starts: NDArray[np.int64], size: int) -> NDArray[np.uint8]:
+    """Put messages one after the other, those of a block behind room for their headers.
+
+    Args:
+        pending: the messages.
+        parts: what to put for single ones, two parts each.
+        starts: where the record of each message begins, shape (messages,).
+        size: of all records [bytes].
+    """
+    if not pending.blocks:
+        return np.frombuffer(bytearray().join(parts), np.uint8)
+    length = MESSAGE_HEADERS.length
+    body = np.empty(size, np.uint8)
+    single = position = 0
+    for before, upto, numbers, _, content in pending.blocks:
+        start = int(starts[before])
+        body.data[position:start] = b"".join(parts[2 * single : 2 * upto])
+        stride = length + content.itemsize
+        rows: NDArray[np.void] = np.ndarray(content.shape, content.dtype, body, start + length, (stride,))
+        rows[...] = content
+        single, position = upto, start + len(numbers) * stride
+    body.data[position:] = b"".join(parts[2 * single :])
+    return body
+
+
+def _build_indexes(numbers: NDArray[np.int64], entries: NDArray[Any]) -> Tuple[memoryview, bytes]:
     """Give the records of the indexes, and each connection with the number of its entries."""
     totals = np.bincount(numbers)
     found = np.flatnonzero(totals)
     counts = totals[found]
-    sizes = counts * _ENTRY.itemsize
     # NumPy sorts short integers in linear time.
     order = np.argsort(numbers.astype(np.min_scalar_type(len(totals))), kind="stable")
-    content = entries.take(order).tobytes()
-    bounds = [0, *np.cumsum(sizes).tolist()]
-    parts = [b""] * (2 * len(found))
-    parts[0::2] = INDEX_HEADERS.make({"connection": found, "count": counts, "size": sizes})
-    parts[1::2] = [content[begin:end] for begin, end in zip(bounds, bounds[1:])]
-    return b"".join(parts), np.stack((found, counts), axis=1).astype("<u4").tobytes()
+    sizes = counts * _ENTRY.itemsize
+    lengths = sizes + INDEX_HEADERS.length
+    ends = np.cumsum(lengths)
+    indexes = np.empty(int(ends[-1]), np.uint8)
+    INDEX_HEADERS.put(indexes, ends - lengths, {"connection": found, "count": counts, "size": sizes})
+    headers_before = np.repeat(np.arange(1, len(found) + 1), counts)
+    places = np.arange(len(order)) * _ENTRY.itemsize + headers_before * INDEX_HEADERS.length
+    put(indexes, places, entries.take(order).view(f"V{_ENTRY.itemsize}"))
+    pairs = np.empty((len(found), 2), "<u4")
+    pairs[:, 0], pairs[:, 1] = found, counts
+    return indexes.data, pairs.tobytes()

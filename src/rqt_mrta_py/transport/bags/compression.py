@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import bz2
 from enum import Enum
-from typing import Any
+from typing import Any, Union
 
 from rqt_mrta_py.errors import MissingDependencyError
 
@@ -24,7 +24,7 @@ class Compression(Enum):
     LZ4 = "lz4"
 
 
-def compress(compression: Compression, data: bytes) -> bytes:
+def compress(compression: Compression, data: Union[bytes, memoryview]) -> Union[bytes, memoryview]:
     """Compress the data of a chunk.
 
     Raises:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, List, Mapping
+from typing import Any, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rqt_mrta_py.transport.bags.records import OP_INDEX, OP_MESSAGE, record
+from rqt_mrta_py.transport.bags.windows import put
 
 __all__ = ["INDEX_HEADERS", "MESSAGE_HEADERS", "Headers"]
 
@@ -15,14 +16,18 @@ __all__ = ["INDEX_HEADERS", "MESSAGE_HEADERS", "Headers"]
 class Headers:
     """Headers of one kind of record, up to where the data begins.
 
+    Attributes:
+        sample: one of them, whatever its numbers.
+        length: of each [bytes].
+
     Args:
-        header: one of them, whatever its numbers.
+        sample: see above.
         places: where the numbers of 32 bits stand, by name.
     """
 
-    def __init__(self, header: bytes, places: Mapping[str, int]) -> None:
-        self.length = len(header)
-        self._header = header
+    def __init__(self, sample: bytes, places: Mapping[str, int]) -> None:
+        self.sample = sample
+        self.length = len(sample)
         self._row = np.dtype(
             {
                 "names": list(places),
@@ -32,18 +37,19 @@ class Headers:
             }
         )
 
-    def make(self, numbers: Mapping[str, NDArray[Any]]) -> List[bytes]:
-        """Make headers.
+    def put(self, buffer: NDArray[np.uint8], places: NDArray[np.int64], numbers: Mapping[str, NDArray[Any]]) -> None:
+        """Put headers into a buffer.
 
         Args:
+            buffer: bytes, without gaps.
+            places: where each header begins, shape (headers,) [bytes].
             numbers: those of all headers, by name, each of shape (headers,).
         """
-        count = len(next(iter(numbers.values())))
-        rows = np.frombuffer(bytearray(self._header * count), self._row)
+        content = bytearray(self.sample) * len(places)
+        rows = np.frombuffer(content, self._row)
         for name, column in numbers.items():
             rows[name] = column
-        headers: List[bytes] = rows.view(f"V{self.length}").tolist()
-        return headers
+        put(buffer, places, np.frombuffer(content, f"V{self.length}"))
 
 
 _MESSAGE = record({"op": OP_MESSAGE, "conn": bytes(4), "time": bytes(8)}, b"")

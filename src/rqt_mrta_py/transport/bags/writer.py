@@ -1,7 +1,7 @@
 """Bags as they are recorded: ROS 1 format 2.0, chunk by chunk, so that a killed recording is lost by a second at most.
 
-Messages wait as they are until their chunk is written, which happens in one piece; many handed over at once are looked
-at as a whole. rosbags' own writer is not used: ROS refuses its LZ4 frames, ``rosbag reindex`` and appending destroy its
+Messages wait as they are until their chunk is written, which happens in one piece; those of a batch wait run by run, and
+nothing is made for each of them. rosbags' own writer is not used: ROS refuses its LZ4 frames, ``rosbag reindex`` and appending destroy its
 first chunk, and each of its writes searches all connections.
 """
 
@@ -13,19 +13,23 @@ from contextlib import suppress
 from itertools import repeat
 from pathlib import Path
 from types import TracebackType
-from typing import Dict, List, NamedTuple, Optional, Type
+from typing import List, NamedTuple, Optional, Type
+
+import numpy as np
+from numpy.typing import NDArray
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Connection, Stamped
-from rqt_mrta_py.transport.bags.chunks import Pending, build_chunk
+from rqt_mrta_py.transport.bags.chunks import build_chunk
 from rqt_mrta_py.transport.bags.compression import Compression, compress
 from rqt_mrta_py.transport.bags.headers import MESSAGE_HEADERS
+from rqt_mrta_py.transport.bags.numbering import Numbering
+from rqt_mrta_py.transport.bags.pending import Pending
 from rqt_mrta_py.transport.bags.records import (
     FILE_HEADER_END,
     MAGIC,
     chunk_header,
     chunk_info,
-    connection_record,
     file_header,
 )
 from rqt_mrta_py.transport.batch import Batch
@@ -41,11 +45,15 @@ chunks a second with nearly an index for each message, which doubles the time of
 tool reads larger ones, but holds one in memory."""
 
 _LONGEST = 2**31
-"""The longest message, and the longest description of a connection [bytes]; a chunk has 32 bits for its length."""
+"""The longest message [bytes]; a chunk has 32 bits for its length."""
 
 _WORTH_A_LOOK = 8
-"""Fewer messages are written one by one."""
+"""Fewer messages of a batch are written one by one, which is quicker."""
 
+_WORTH_A_BLOCK = 32
+"""Fewer messages a run wait one by one."""
+
+_HEADER_BYTES = MESSAGE_HEADERS.length
 _u32 = struct.Struct("<I").pack
 
 
@@ -92,11 +100,9 @@ class BagWriter:
         # The chunk takes in what was received from here to before there; nothing before the first message.
         self._since_ns = self._until_ns = 0
         self._chunk_bytes = 0
-        self._pending: List[Pending] = []
-        self._descriptions: List[bytes] = []
-        self._numbers: Dict[Connection, int] = {}
-        # Sources hand in the same Connection object again and again: its identity is found faster than its value.
-        self._by_identity: Dict[int, int] = {}
+        self._pending = Pending()
+        self._numbering = Numbering(self.path)
+        self._recognised = self._numbering.recognised
         self._written: List[_Written] = [_Written(b"", FILE_HEADER_END, 0)]
         self._closed = self._complete = False
         try:
@@ -127,19 +133,15 @@ class BagWriter:
             TransportError: the message does not fit into a bag, the disk is full, or the bag is closed.
         """
         connection, receipt_ns, raw = stamped
-        if not self._since_ns <= receipt_ns < self._until_ns or self._chunk_bytes > _CHUNK_BYTES:
-            self._begin_chunk(connection, receipt_ns)
         size = len(raw)
-        if size > _LONGEST:
-            raise TransportError(
-                f"{self.path}: a message of {connection.topic} cannot be written; it has {size} bytes, at most "
-                f"{_LONGEST} are accepted"
-            )
-        number = self._by_identity.get(id(connection))
+        if not self._since_ns <= receipt_ns < self._until_ns or self._chunk_bytes > _CHUNK_BYTES or size > _LONGEST:
+            self._make_room(connection, receipt_ns, size)
+        number = self._recognised.get(id(connection))
         if number is None:
-            number = self._number(connection)
-        self._chunk_bytes += MESSAGE_HEADERS.length + size
-        self._pending.append((number, receipt_ns, raw))
+            self._introduce(stamped)
+        else:
+            self._chunk_bytes += _HEADER_BYTES + size
+            self._pending.singles.append((number, receipt_ns, raw))
 
     def write_batch(self, batch: Batch) -> None:
         """Write messages one after another; the bag is the same, and so are errors.
@@ -150,13 +152,14 @@ class BagWriter:
         Raises:
             TransportError: as for one; the messages before it are written.
         """
-        if len(batch) < _WORTH_A_LOOK:
+        numbers = self._numbering.line_up(batch.connections) if len(batch) >= _WORTH_A_LOOK else None
+        if numbers is None:
             for stamped in batch:
                 self.write(stamped)
-            return
-        if not self._take(batch):
-            for stamped in batch:
-                self.write(stamped)
+        elif len(batch) < _WORTH_A_BLOCK * len(batch.runs):
+            self._write_mixed(batch, numbers)
+        else:
+            self._write_runs(batch, numbers)
 
     def checkpoint(self) -> None:
         """Bring everything written so far to the file, where it survives this process.
@@ -166,21 +169,19 @@ class BagWriter:
         """
         if not self._pending:
             return
-        pending, self._pending = self._pending, []
         known = len(self._written)
         try:
-            chunk = build_chunk(pending, self._descriptions, self._written[-1].described)
+            chunk = build_chunk(self._pending, self._numbering.descriptions, self._written[-1].described)
             data = compress(self._compression, chunk.body)
             head = chunk_header(self._compression.value, len(chunk.body))
             position = self._written[-1].end
             end = self._put(position, b"".join((head, _u32(len(data)), data, chunk.indexes)))
             info = chunk_info(position, chunk.start_ns, chunk.end_ns, chunk.counts)
             self._written.append(_Written(info, end, chunk.described))
-            self._chunk_bytes = 0
         finally:
             # After an interrupt the bag goes on: a chunk counts as written, or its messages wait on.
-            if len(self._written) == known:
-                self._pending[:0] = pending
+            if len(self._written) > known:
+                self._pending, self._chunk_bytes = Pending(), 0
 
     def close(self) -> None:
         """Write the index and give the bag its name; safe to call twice.
@@ -196,8 +197,9 @@ class BagWriter:
             self.checkpoint()
             position = self._written[-1].end
             infos = [written.info for written in self._written]
-            self._put(position, b"".join(self._descriptions + infos))
-            self._put(0, MAGIC + file_header(position, len(self._descriptions), len(infos) - 1))
+            descriptions = self._numbering.descriptions
+            self._put(position, b"".join(descriptions + infos))
+            self._put(0, MAGIC + file_header(position, len(descriptions), len(infos) - 1))
             self._file.close()
             self.active_path.replace(self.path)
             self._complete = True
@@ -214,7 +216,7 @@ class BagWriter:
             return
         self._closed = True
         self._until_ns = self._since_ns
-        self._pending.clear()
+        self._pending = Pending()
         self._let_go()
         with suppress(OSError):
             self.active_path.unlink()
@@ -234,49 +236,62 @@ class BagWriter:
             # What went wrong first is what the user must hear of.
             _LOG.warning("bag not completed reason=%s", failure)
 
-    def _begin_chunk(self, connection: Connection, receipt_ns: int) -> None:
-        if self._closed:
-            raise TransportError(f"{self.path}: is closed; a message of {connection.topic} came too late")
-        if not 0 <= receipt_ns < _END_OF_TIME_NS:
-            raise TransportError(
-                f"{self.path}: a message of {connection.topic} at {receipt_ns} ns cannot be written; a bag holds times "
-                f"from 0 to below {_END_OF_TIME_NS} ns"
-            )
-        self.checkpoint()
-        self._since_ns, self._until_ns = receipt_ns, min(receipt_ns + self._period_ns, _END_OF_TIME_NS)
-
-    def _take(self, batch: Batch) -> bool:
-        """Let messages wait for the present chunk; only if all of them belong to it and their connections are known."""
-        try:
-            numbers = list(map(self._by_identity.__getitem__, map(id, batch.connections)))
-        except KeyError:
-            return False
-        size = len(batch.content) + MESSAGE_HEADERS.length * len(numbers)
-        if self._since_ns <= batch.receipt_ns < self._until_ns and self._chunk_bytes + size <= _CHUNK_BYTES:
-            self._chunk_bytes += size
-            self._pending.extend(zip(numbers, repeat(batch.receipt_ns), batch.raws))
-            return True
-        return False
-
-    def _number(self, connection: Connection) -> int:
-        number = self._numbers.get(connection)
-        if number is None:
-            number = len(self._descriptions)
-            try:
-                described = connection_record(number, connection)
-            except ValueError as error:
-                raise TransportError(f"{self.path}: connection {connection} cannot be written: {error}") from error
-            if len(described) > _LONGEST:
+    def _make_room(self, connection: Connection, receipt_ns: int, size: int) -> None:
+        """See that the present chunk takes in a message; it is begun anew if need be."""
+        if not self._since_ns <= receipt_ns < self._until_ns or self._chunk_bytes > _CHUNK_BYTES:
+            if self._closed:
+                raise TransportError(f"{self.path}: is closed; a message of {connection.topic} came too late")
+            if not 0 <= receipt_ns < _END_OF_TIME_NS:
                 raise TransportError(
-                    f"{self.path}: connection {connection} cannot be written; its description has {len(described)} "
-                    f"bytes, at most {_LONGEST} are accepted"
+                    f"{self.path}: a message of {connection.topic} at {receipt_ns} ns cannot be written; a bag holds "
+                    f"times from 0 to below {_END_OF_TIME_NS} ns"
                 )
-            self._descriptions.append(described)
-            self._numbers[connection] = number
-            # That key keeps its connection alive, so that no other object takes over its identity.
-            self._by_identity[id(connection)] = number
-            self._chunk_bytes += len(described)
-        return number
+            self.checkpoint()
+            self._since_ns, self._until_ns = receipt_ns, min(receipt_ns + self._period_ns, _END_OF_TIME_NS)
+        if size > _LONGEST:
+            raise TransportError(
+                f"{self.path}: a message of {connection.topic} cannot be written; it has {size} bytes, at most "
+                f"{_LONGEST} are accepted"
+            )
+
+    def _write_runs(self, batch: Batch, numbers: NDArray[np.int64]) -> None:
+        """Write messages run by run; a chunk may end within one."""
+        begin = start = 0
+        for messages, size in batch.runs:
+            end = begin + messages
+            while begin < end:
+                self._make_room(batch.connections[begin], batch.receipt_ns, size)
+                fitting = 1 + max(0, _CHUNK_BYTES - self._chunk_bytes) // (_HEADER_BYTES + size)
+                chosen = numbers[begin : min(end, begin + fitting)]
+                content: NDArray[np.void] = np.ndarray(chosen.shape, f"V{size}", batch.content, start)
+                self._chunk_bytes += len(chosen) * (_HEADER_BYTES + size)
+                self._pending.append_block(chosen, batch.receipt_ns, content)
+                begin, start = begin + len(chosen), start + content.nbytes
+
+    def _write_mixed(self, batch: Batch, numbers: NDArray[np.int64]) -> None:
+        """Write messages that differ in length, in one go if they end in one chunk."""
+        self._make_room(batch.connections[0], batch.receipt_ns, batch.runs[0].size)
+        size = len(batch.content) + _HEADER_BYTES * len(batch)
+        if self._chunk_bytes + size <= _CHUNK_BYTES:
+            self._chunk_bytes += size
+            self._pending.singles.extend(zip(numbers.tolist(), repeat(batch.receipt_ns), batch.raws))
+        else:
+            for stamped in batch:
+                self.write(stamped)
+
+    def _introduce(self, stamped: Stamped) -> None:
+        """Write a message whose connection is not recognised: it is new, or equals one that is known."""
+        connection, receipt_ns, raw = stamped
+        number = self._numbering.find(connection)
+        new = number is None
+        if number is None:
+            number = self._numbering.describe(connection)
+            self._chunk_bytes += len(self._numbering.descriptions[number])
+        self._chunk_bytes += _HEADER_BYTES + len(raw)
+        self._pending.singles.append((number, receipt_ns, raw))
+        if new:
+            # Not before a single message of it waits: a block describes nobody, and an interrupt comes at any step.
+            self._recognised[id(connection)] = number
 
     def _put(self, position: int, data: bytes) -> int:
         """Write at a position of the file, and say where it ends; what finds no room is taken back whole."""
