@@ -3,13 +3,14 @@ from __future__ import annotations
 import math
 
 import pluggy
+import pytest
 
 from rqt_mrta_py.hooks import PROJECT, HookSpecs
 from rqt_mrta_py.sim import plugin
 from rqt_mrta_py.sim.bullet import BulletWorld
 from rqt_mrta_py.sim.planar import PlanarWorld
 from rqt_mrta_py.sim.radio import LossyLink, PerfectLink
-from rqt_mrta_py.sim.robot_models import DIFF_DRIVE, OMNI_DRIVE
+from rqt_mrta_py.sim.robot_models import CARRIER, DIFF_DRIVE, OMNI_DRIVE, STRONG_CARRIER
 from rqt_mrta_py.sim.sensors import Bumper, Localiser, Odometry, RangeFinder
 from tests.sim.radio.support import link_setup
 from tests.sim.sensors.support import context
@@ -25,18 +26,35 @@ def test_plugin_keeps_the_contract_and_registers_what_the_room_brings():
     (sensors,) = manager.hook.mrta_register_sensors()
     (team_sensors,) = manager.hook.mrta_register_team_sensors()
     assert {name: type(factory()) for name, factory in worlds.items()} == {"bullet": BulletWorld, "planar": PlanarWorld}
-    assert models == {"diff_drive": DIFF_DRIVE, "omni_drive": OMNI_DRIVE}
+    assert models == {
+        "carrier": CARRIER,
+        "diff_drive": DIFF_DRIVE,
+        "omni_drive": OMNI_DRIVE,
+        "strong_carrier": STRONG_CARRIER,
+    }
     kinds = {kind: type(factory(context(kind, "topic"))) for kind, factory in sensors.items()}
     assert kinds == {"bumper": Bumper}
     kinds = {kind: type(factory([context(kind, "topic")])) for kind, factory in team_sensors.items()}
     assert kinds == {"localiser": Localiser, "odometry": Odometry, "range_finder": RangeFinder}
 
 
-def test_diff_drive_fits_into_its_own_radius():
-    corner = math.hypot(DIFF_DRIVE.length / 2, DIFF_DRIVE.width / 2)
-    wheel = DIFF_DRIVE.track / 2 + DIFF_DRIVE.wheel_radius
-    assert max(corner, wheel) <= DIFF_DRIVE.radius
-    assert 2 * DIFF_DRIVE.wheel_radius < DIFF_DRIVE.sensor_height < DIFF_DRIVE.height
+@pytest.mark.parametrize("model", [DIFF_DRIVE, CARRIER, STRONG_CARRIER], ids=lambda model: model.name)
+def test_robot_on_two_wheels_fits_into_its_own_radius(model):
+    corner = math.hypot(model.length / 2, model.width / 2)
+    wheel = model.track / 2 + model.wheel_radius
+    assert max(corner, wheel) <= model.radius
+    assert 2 * model.wheel_radius < model.sensor_height < model.height
+
+
+def test_strong_carrier_takes_more_and_is_slower_and_larger_than_a_carrier():
+    assert STRONG_CARRIER.max_load > CARRIER.max_load > 0.0
+    assert STRONG_CARRIER.max_speed < CARRIER.max_speed
+    assert STRONG_CARRIER.radius > CARRIER.radius
+    assert STRONG_CARRIER.capabilities - CARRIER.capabilities == {"carry:heavy"}
+
+
+def test_all_robots_see_in_one_plane():
+    assert {model.sensor_height for model in plugin.mrta_register_robot_models().values()} == {0.12}
 
 
 def test_omni_drive_fits_into_its_own_radius_wheels_and_all():

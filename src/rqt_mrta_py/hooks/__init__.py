@@ -80,7 +80,7 @@ from rqt_mrta_py.hooks.picture import (
     ScenarioLabel,
     SceneView,
 )
-from rqt_mrta_py.hooks.robot_model import RobotModel
+from rqt_mrta_py.hooks.robot_model import GRIP_HALF_ANGLE, RobotModel
 from rqt_mrta_py.hooks.robot_sensor import RobotSensor, RobotSensorFactory, RobotSensorSetup
 from rqt_mrta_py.hooks.sensor import (
     RayPattern,
@@ -116,6 +116,7 @@ from rqt_mrta_py.hooks.world import Body, BodyState, Contact, PlacedRobot, World
 
 __all__ = [
     "EVERYTHING",
+    "GRIP_HALF_ANGLE",
     "PROJECT",
     "Agent",
     "AgentFactory",

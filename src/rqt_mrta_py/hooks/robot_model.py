@@ -6,7 +6,10 @@ import math
 from dataclasses import dataclass
 from typing import FrozenSet, Tuple
 
-__all__ = ["RobotModel"]
+__all__ = ["GRIP_HALF_ANGLE", "RobotModel"]
+
+GRIP_HALF_ANGLE = math.pi / 6
+"""A gripper takes hold of what lies at most so far to either side of straight ahead [rad]."""
 
 _MEASURES = (
     "length",
@@ -38,11 +41,15 @@ class RobotModel:
         max_speed: [m/s].
         max_turn_rate: [rad/s].
         sensor_height: of the range finder's plane above the floor [m].
-        actuators: what takes commands; ``base`` takes a Twist.
+        actuators: what takes commands; ``base`` takes a Twist, ``gripper`` a number: above 0.5 it takes hold of the
+            nearest body that it can take, else it lets go.
         capabilities: what it can do.
+        reach: of the gripper: the centre of what it takes lies at most so far outside the circle around the robot, and
+            within ``GRIP_HALF_ANGLE`` of straight ahead [m].
+        max_load: of the gripper: what is heavier it cannot take [kg].
 
     Raises:
-        ValueError: a measure is no finite number above 0; names it.
+        ValueError: a measure is no finite number above 0, or reach or load is not finite or negative; names it.
     """
 
     name: str
@@ -59,9 +66,15 @@ class RobotModel:
     sensor_height: float
     actuators: Tuple[str, ...] = ("base",)
     capabilities: FrozenSet[str] = frozenset()
+    reach: float = 0.0
+    max_load: float = 0.0
 
     def __post_init__(self) -> None:
         for measure in _MEASURES:
             value: object = getattr(self, measure)
             if not (isinstance(value, (int, float)) and math.isfinite(value) and value > 0.0):
                 raise ValueError(f"robot model {self.name}: {measure} must be a finite number above 0 (got {value!r})")
+        for measure in ("reach", "max_load"):
+            value = getattr(self, measure)
+            if not (isinstance(value, (int, float)) and math.isfinite(value) and value >= 0.0):
+                raise ValueError(f"robot model {self.name}: {measure} must be finite and not negative (got {value!r})")

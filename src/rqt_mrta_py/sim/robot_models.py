@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rqt_mrta_py.hooks import RobotModel
 
-__all__ = ["DIFF_DRIVE", "OMNI_DRIVE"]
+__all__ = ["CARRIER", "DIFF_DRIVE", "OMNI_DRIVE", "STRONG_CARRIER"]
 
 DIFF_DRIVE = RobotModel(
     name="diff_drive",
@@ -42,3 +44,34 @@ OMNI_DRIVE = RobotModel(
     capabilities=frozenset({"drive", "range"}),
 )
 """A small robot on four mecanum wheels, which drives in any direction without turning."""
+
+CARRIER = replace(
+    DIFF_DRIVE,
+    name="carrier",
+    actuators=("base", "gripper"),
+    capabilities=frozenset({"carry", "drive", "range"}),
+    reach=0.20,
+    max_load=0.5,
+)
+"""A ``diff_drive`` with a gripper in front."""
+
+STRONG_CARRIER = RobotModel(
+    name="strong_carrier",
+    drive="differential",
+    length=0.42,
+    width=0.32,
+    height=0.16,
+    # Over the corners of the body; the wheels' outer sides lie 0.24 m from the centre.
+    radius=0.27,
+    mass=14.0,
+    wheel_radius=0.05,
+    track=0.38,
+    max_speed=0.3,
+    max_turn_rate=1.2,
+    sensor_height=0.12,
+    actuators=("base", "gripper"),
+    capabilities=frozenset({"carry", "carry:heavy", "drive", "range"}),
+    reach=0.25,
+    max_load=4.0,
+)
+"""A larger and slower robot with a gripper, for loads that a ``carrier`` cannot take."""
