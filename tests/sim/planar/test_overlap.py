@@ -8,19 +8,24 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from rqt_mrta_py.model import Obstacle, Pose
-from rqt_mrta_py.sim.planar.footprints import placed_obstacles, robot_footprints
+from rqt_mrta_py.sim.planar.footprints import Placed, placed_obstacles, robot_footprints
 from rqt_mrta_py.sim.planar.overlap import overlap
 from rqt_mrta_py.sim.robot_models import DIFF_DRIVE, OMNI_DRIVE
 from tests.sim.planar import polygons
 
-ROBOT = robot_footprints([DIFF_DRIVE])
+THE_FIRST = np.array([0])
+
+
+def edges_of(model, yaw):
+    """Give the half edges of one robot at the origin."""
+    return Placed(robot_footprints([model]), np.array([[0.0], [0.0], [yaw]])).half_edges(THE_FIRST)
 
 
 def measure(yaw, obstacle):
     """Measure a diff_drive at the origin against an obstacle: depth, and the way that the robot comes free."""
     placed = placed_obstacles([obstacle])
-    edges = ROBOT.turned(np.array([yaw]))
-    depth, away = overlap(placed.poses[:2], edges, placed.half_edges, placed.footprints.rounding)
+    edges = edges_of(DIFF_DRIVE, yaw)
+    depth, away = overlap(placed.poses[:2], edges, placed.half_edges(THE_FIRST), placed.footprints.rounding)
     return depth[0], away[:, 0]
 
 
@@ -97,5 +102,4 @@ def test_robot_fits_into_the_circle_that_starts_are_checked_with(model):
 
 
 def test_omni_drive_touches_as_the_box_of_its_body():
-    edges = robot_footprints([OMNI_DRIVE]).turned(np.zeros(1))
-    assert np.abs(edges).sum(axis=1)[:, 0].tolist() == [0.15, 0.15]
+    assert np.abs(edges_of(OMNI_DRIVE, 0.0)).sum(axis=1)[:, 0].tolist() == [0.15, 0.15]

@@ -125,12 +125,10 @@ class Collisions:
             return
         after = crowd.poses.copy()
         crowd.poses[:] = before
-        crowd.note_turns()
         is_deeper = now.depth > self._depths_of(now, self.fixed.find(_MOST_DEPTH_IN_FIXED))
         goes_back = np.zeros(crowd.carrier.size, dtype=np.bool_)
         goes_back[crowd.carrier[now.first[is_deeper]]] = True
         crowd.poses[:] = np.where(goes_back[crowd.carrier], before, after)
-        crowd.note_turns()
 
     def _depths_of(self, pairs: Meetings, inside: Meetings) -> Floats:
         """Give how deep pairs are in each other among other meetings with what is fixed, 0 for those not there [m]."""

@@ -28,7 +28,6 @@ class Crowd:
         robots: how many of them, from the first, are robots.
         poses: x, y [m] and yaw [rad] in the frame ``map``, shape (3, things).
         footprints: their shapes.
-        half_edges: of the footprints, turned as the things are now [m], shape (2, 3, things); see ``note_turns``.
         carrier: for a carried body the row of its robot, for all else the thing's own row, shape (things,).
         is_frozen: shape (robots,).
         lineup: changes whenever anything but a pose does.
@@ -39,7 +38,6 @@ class Crowd:
         self.robots = len(robots)
         self.footprints: Footprints = robot_footprints([robot.model for robot in robots])
         self.poses: Floats = columns_of_poses([robot.start for robot in robots])
-        self.half_edges: Floats = self.footprints.turned(self.poses[2])
         self.is_frozen: NDArray[np.bool_] = np.zeros(self.robots, dtype=np.bool_)
         self.carrier: Rows = np.arange(self.robots)
         self.lineup = 0
@@ -57,7 +55,6 @@ class Crowd:
         self._masses = np.append(self._masses, body.mass)
         self._holds = np.concatenate((self._holds, np.zeros((3, 1))), axis=1)
         self.lineup += 1
-        self.note_turns()
 
     def remove(self, row: int) -> None:
         """Take a loose body away; rows behind it move up."""
@@ -70,7 +67,6 @@ class Crowd:
         self._masses = np.delete(self._masses, row)
         self._holds = np.delete(self._holds, row, axis=1)
         self._note_carried()
-        self.note_turns()
 
     def hold(self, robot: int, row: int) -> None:
         """Let a robot carry a body from now on, in their present relative pose."""
@@ -96,11 +92,7 @@ class Crowd:
 
     def placed(self) -> Placed:
         """Give all footprints where they are now."""
-        return Placed(self.footprints, self.poses, self.half_edges)
-
-    def note_turns(self) -> None:
-        """Turn footprints with the things; to be called whenever a yaw has changed."""
-        self.half_edges = self.footprints.turned(self.poses[2])
+        return Placed(self.footprints, self.poses)
 
     def mobility(self) -> Floats:
         """Give the share that each takes when two push each other apart: 1/mass, 0 while frozen [1/kg]."""

@@ -57,8 +57,9 @@ class Drive:
             is_frozen: who stands still at once and stays so, shape (robots,).
             duration: [s].
         """
-        self._speeds[:, is_frozen] = 0.0
-        wanted = np.where(is_frozen, 0.0, self._within_limits())
+        wanted = self._within_limits()
+        if is_frozen.any():
+            self._speeds[:, is_frozen] = wanted[:, is_frozen] = 0.0
         missing = self._speeds - wanted
         decay = math.exp(-duration / LAG)
         along, left, turn = wanted * duration + missing * (LAG * (1.0 - decay))
@@ -91,9 +92,10 @@ class Drive:
 
     def _within_limits(self) -> Floats:
         """Bring the commands within the models' limits, keeping the direction of travel."""
-        vx, vy, wz = np.array(self._commands, dtype=np.float64).reshape(3, self._count)
+        vx, vy, wz = np.frombuffer(self._commands, dtype=np.float64).reshape(3, self._count)
         vy = vy * self._sideways
         half_speed = np.hypot(vx / 2, vy / 2)  # half, for the whole may be beyond all numbers
         most = self._max_speed / 2
         scale = most / np.maximum(half_speed, most)
-        return np.stack((vx * scale, vy * scale, np.clip(wz, -self._max_turn_rate, self._max_turn_rate)))
+        wz = np.minimum(np.maximum(wz, -self._max_turn_rate), self._max_turn_rate)
+        return np.array((vx * scale, vy * scale, wz))

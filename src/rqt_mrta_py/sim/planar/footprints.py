@@ -15,7 +15,7 @@ import numpy as np
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import Body, RobotModel
 from rqt_mrta_py.model import Obstacle, Pose
-from rqt_mrta_py.sim.planar.cells import Floats
+from rqt_mrta_py.sim.planar.cells import Floats, Rows
 
 __all__ = ["Footprints", "Placed", "body_footprint", "columns_of_poses", "placed_obstacles", "robot_footprints"]
 
@@ -54,12 +54,6 @@ class Footprints(NamedTuple):
         """Give all but one."""
         return Footprints(*(np.delete(field, row, axis=-1) for field in self))
 
-    def turned(self, yaw: Floats) -> Floats:
-        """Give the half edges in the frame in which the things have these yaws [rad]: [m], shape (2, 3, things)."""
-        x, y = self.half_edges
-        cos, sin = np.cos(yaw), np.sin(yaw)
-        return np.stack((cos * x - sin * y, sin * x + cos * y))
-
 
 class Placed(NamedTuple):
     """Footprints and where they are.
@@ -67,12 +61,17 @@ class Placed(NamedTuple):
     Attributes:
         footprints: of some things.
         poses: x, y [m] and yaw [rad] in the frame ``map``, shape (3, things).
-        half_edges: turned as the things are [m], shape (2, 3, things).
     """
 
     footprints: Footprints
     poses: Floats
-    half_edges: Floats
+
+    def half_edges(self, rows: Rows) -> Floats:
+        """Give the half edges of some things, turned as these are [m], shape (2, 3, rows)."""
+        x, y = self.footprints.half_edges[:, :, rows]
+        yaw = self.poses[2, rows]
+        cos, sin = np.cos(yaw), np.sin(yaw)
+        return np.array((cos * x - sin * y, sin * x + cos * y))
 
 
 class _Shape(NamedTuple):
@@ -98,8 +97,7 @@ def placed_obstacles(obstacles: Sequence[Obstacle]) -> Placed:
         SimError: one has a shape that cannot be built.
     """
     footprints = _stack([_obstacle(obstacle) for obstacle in obstacles])
-    poses = columns_of_poses([obstacle.pose for obstacle in obstacles])
-    return Placed(footprints, poses, footprints.turned(poses[2]))
+    return Placed(footprints, columns_of_poses([obstacle.pose for obstacle in obstacles]))
 
 
 def columns_of_poses(poses: Sequence[Pose]) -> Floats:

@@ -14,7 +14,7 @@ from rqt_mrta_py.sim.planar.overlap import overlap
 
 __all__ = ["FixedMeetings", "Meetings", "MovingMeetings"]
 
-_FORESIGHT = 0.2
+_FORESIGHT = 0.3
 """Pairs are kept that would meet if they came nearer by this; found anew once something has moved half of it [m]."""
 
 _LEVEL = 1e-6
@@ -37,6 +37,9 @@ class Meetings(NamedTuple):
     second: Rows
     depth: Floats
     away: Floats
+
+
+_NO_MEETINGS = Meetings(np.empty(0, dtype=np.intp), np.empty(0, dtype=np.intp), np.empty(0), np.empty((2, 0)))
 
 
 class MovingMeetings:
@@ -86,6 +89,7 @@ class FixedMeetings:
         self.count = len(obstacles) + _OFF_WALLS.shape[1]
         self._cells = Cells(self.obstacles.poses[0], self.obstacles.poses[1])
         self._kept = _Kept()
+        self._by_walls: Rows = np.empty(0, dtype=np.intp)
 
     def find(self, least_depth: float) -> Meetings:
         """Find all that overlap deeper than given [m], things in front of walls first."""
@@ -94,20 +98,29 @@ class FixedMeetings:
             x, y, _ = crowd.poses
             reach = crowd.footprints.widest + self.obstacles.footprints.widest + _FORESIGHT
             kept.keep(crowd, self.obstacles, *self._cells.near(x, y, reach))
+            self._by_walls = self._near_walls()
         with_obstacles = _closely(crowd, kept, self.obstacles, least_depth)
         with_walls = self._with_walls(least_depth)
         return _together(with_walls, with_obstacles)
 
     def _with_walls(self, least_depth: float) -> Meetings:
         """Find what reaches beyond the inner face of a wall, whatever lies behind that."""
-        crowd = self._crowd
-        is_low = crowd.footprints.low < self._wall_height - _LEVEL
-        off_centre = crowd.poses[:2] - self._centre
-        reach = np.abs(crowd.half_edges).sum(axis=1)
+        rows, things = self._by_walls, self._crowd.placed()
+        if not rows.size:
+            return _NO_MEETINGS
+        off_centre = things.poses[:2, rows] - self._centre
+        reach = np.abs(things.half_edges(rows)).sum(axis=1)
         depths = np.stack((-off_centre, off_centre), axis=1) + reach[:, None] - self._half_span[:, None]
         depths = depths.reshape(_OFF_WALLS.shape[1], -1)
-        wall, row = np.nonzero((depths > least_depth) & is_low)
-        return Meetings(row, self.obstacles.poses.shape[1] + wall, depths[wall, row], _OFF_WALLS[:, wall])
+        wall, near = np.nonzero(depths > least_depth)
+        return Meetings(rows[near], self.obstacles.poses.shape[1] + wall, depths[wall, near], _OFF_WALLS[:, wall])
+
+    def _near_walls(self) -> Rows:
+        """Find what may meet walls soon."""
+        shapes = self._crowd.footprints
+        room = self._half_span - np.abs(self._crowd.poses[:2] - self._centre)
+        is_near = room.min(axis=0) < shapes.radius + _FORESIGHT
+        return np.flatnonzero(is_near & (shapes.low < self._wall_height - _LEVEL))
 
 
 class _Kept:
@@ -117,20 +130,21 @@ class _Kept:
         self.first: Rows = np.empty(0, dtype=np.intp)
         self.second: Rows = np.empty(0, dtype=np.intp)
         self.radii: Floats = np.empty(0)
-        self._poses: Floats = np.empty((3, 0))
+        self._places: Floats = np.empty((2, 0))
         self._lineup = -1
 
     def is_stale(self, crowd: Crowd) -> bool:
         """Tell whether something has moved far, or changed otherwise, since the pairs were found."""
         if self._lineup != crowd.lineup:
             return True
-        x, y, _ = crowd.poses - self._poses
-        return bool((x * x + y * y > (_FORESIGHT / 2) ** 2).any())
+        way = crowd.poses[:2] - self._places
+        way *= way
+        return bool((way[0] + way[1]).max(initial=0.0) > (_FORESIGHT / 2) ** 2)
 
     def keep(self, crowd: Crowd, others: Placed, first: Rows, second: Rows) -> None:
         """Keep those of some pairs that may meet soon, in a defined order."""
         shapes, other_shapes = crowd.footprints, others.footprints
-        x, y, _ = crowd.poses[:, first] - others.poses[:, second]
+        x, y = crowd.poses[0][first] - others.poses[0][second], crowd.poses[1][first] - others.poses[1][second]
         radii = shapes.radius[first] + other_shapes.radius[second]
         may_meet = x * x + y * y < (radii + _FORESIGHT) ** 2
         may_meet &= shapes.low[first] < other_shapes.high[second] - _LEVEL
@@ -138,20 +152,23 @@ class _Kept:
         first, second, radii = first[may_meet], second[may_meet], radii[may_meet]
         order = np.lexsort((second, first))
         self.first, self.second, self.radii = first[order], second[order], radii[order]
-        self._poses = crowd.poses.copy()
+        self._places = crowd.poses[:2].copy()
         self._lineup = crowd.lineup
 
 
 def _closely(crowd: Crowd, kept: _Kept, others: Placed, least_depth: float) -> Meetings:
     """Measure the pairs that were kept."""
-    x, y, _ = others.poses[:, kept.second] - crowd.poses[:, kept.first]
+    if not kept.first.size:
+        return _NO_MEETINGS
+    x = others.poses[0][kept.second] - crowd.poses[0][kept.first]
+    y = others.poses[1][kept.second] - crowd.poses[1][kept.first]
     near = np.flatnonzero(x * x + y * y < (kept.radii - least_depth) ** 2)
-    first, second = kept.first[near], kept.second[near]
     if not near.size:
-        return Meetings(first, second, np.empty(0), np.empty((2, 0)))
-    apart = np.stack((x[near], y[near]))
+        return _NO_MEETINGS
+    first, second = kept.first[near], kept.second[near]
+    apart = np.array((x[near], y[near]))
     rounding = others.footprints.rounding[second]
-    depth, away = overlap(apart, crowd.half_edges[:, :, first], others.half_edges[:, :, second], rounding)
+    depth, away = overlap(apart, crowd.placed().half_edges(first), others.half_edges(second), rounding)
     found = np.flatnonzero(depth > least_depth)
     return Meetings(first[found], second[found], depth[found], away[:, found])
 

@@ -58,7 +58,6 @@ class Scene:
             self.drive.advance(robots, crowd.is_frozen, duration)
             driven = robots[:2].copy()
             crowd.carry()
-            crowd.note_turns()
             self.collisions.resolve(before)
             is_pushed = (robots[:2] != driven).any(axis=0)
             self.drive.hold_up(is_pushed, robots[:2] - before[:2, : crowd.robots], robots[2], duration)
