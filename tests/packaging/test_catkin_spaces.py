@@ -57,9 +57,20 @@ def test_rospack_finds_every_package(space: Space) -> None:
 @pytest.mark.parametrize(
     ("attribute", "names"),
     [
-        ("architecture", {"mrta_alliance", "nearest_robot"}),
+        ("architecture", {"mrta_alliance", "mrta_baselines", "mrta_l_alliance", "nearest_robot"}),
         ("application", {"border_patrol"}),
-        ("plugin", {"basic_behaviours", "csv_tables", "mission_journal", "mrta_alliance", "nearest_robot"}),
+        (
+            "plugin",
+            {
+                "basic_behaviours",
+                "csv_tables",
+                "mission_journal",
+                "mrta_alliance",
+                "mrta_baselines",
+                "mrta_l_alliance",
+                "nearest_robot",
+            },
+        ),
     ],
 )
 def test_rospack_lists_what_is_registered(space: Space, attribute: str, names: set[str]) -> None:
