@@ -12,7 +12,7 @@ from tests.hooks.garden import MOLE
 @pytest.mark.parametrize("measure", ["reach", "max_load"])
 @pytest.mark.parametrize("value", [-0.1, math.nan, math.inf, "far"])
 def test_gripper_of_a_robot_model_reaches_no_negative_way_and_bears_no_endless_load(measure, value):
-    with pytest.raises(ValueError) as raised:
+    with pytest.raises(ValueError, match="must be finite and not negative") as raised:
         replace(MOLE, **{measure: value})
     assert str(raised.value) == f"robot model mole: {measure} must be finite and not negative (got {value!r})"
 
