@@ -14,6 +14,7 @@ from rqt_mrta_py.config.yaml.schema import Key, Table, ValueType
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.model import (
     Arena,
+    LooseBody,
     Obstacle,
     Pose,
     RadioSetup,
@@ -92,6 +93,36 @@ events:
         picture_period=0.0,
         radio=RadioSetup("lossy", {"loss": 0.1}),
         planner="theta_star",
+    )
+
+
+def test_bodies_of_a_scenario_are_read_in_file_order() -> None:
+    text = f"""{MINIMAL}
+bodies:
+  - {{id: /can2, kind: can, x: 1, y: -1, yaw: 0.5, size: [0.1, 0.08, 0.06], mass: 0.3}}
+  - {{id: can1, x: 2, y: 0, size: [0.1, 0.1, 0.1]}}
+"""
+
+    assert read_scenario(text, "s.yaml").bodies == (
+        LooseBody("can2", Pose(1.0, -1.0, 0.5), (0.1, 0.08, 0.06), 0.3, "can"),
+        LooseBody("can1", Pose(2.0, 0.0), (0.1, 0.1, 0.1), 0.2, "thing"),
+    )
+
+
+def test_bodies_that_can_be_none_are_told_all_at_once() -> None:
+    text = f"""{MINIMAL}
+bodies:
+  - {{id: can, x: 1, y: -1, size: [0.1, 0, 0.1]}}
+  - {{id: can, x: 2, y: 0, size: [0.1, 0.1, 0.1], mass: 0}}
+"""
+
+    with pytest.raises(ConfigError) as caught:
+        read_scenario(text, "s.yaml")
+
+    assert str(caught.value) == (
+        "s.yaml:7: bodies[0]/size: must be above 0 m in each direction (got [0.1, 0.0, 0.1])\n"
+        "s.yaml:8: bodies[1]/id: 'can' names two bodies; the first one is in line 7\n"
+        "s.yaml:8: bodies[1]/mass: must be a number above 0 kg (got 0)"
     )
 
 

@@ -302,6 +302,9 @@ def yaml_cases() -> Iterator[Tuple[str, str, bool]]:
     yield "scenario", f"{base}events: [{{time: 1, kind: robot_stops}}]", False
     yield "scenario", f"{base}obstacles: [{{id: a, x: 0, y: 0, size: [1, 2]}}]", False
     yield "scenario", f"{base}obstacles: [{{id: a, x: 0, y: 0, shape: ball, size: [1, 1, 1]}}]", False
+    yield "scenario", f"{base}bodies: [{{id: a, kind: can, x: 0, y: 0, size: [1, 1, 1], mass: 0.1}}]", True
+    yield "scenario", f"{base}bodies: [{{id: a, x: 0, y: 0, size: [1, 1, 1], mass: 0}}]", False
+    yield "scenario", f"{base}bodies: [{{id: a, size: [1, 1, 1]}}]", False
     yield "scenario", f"{base}control_rate: 20.5", False
     yield "scenario", f"{base}sped: 2", False
     yield "scenario", "robots: []", False

@@ -13,7 +13,7 @@ from rqt_mrta_py.config.scenario.event_form import EVENT, RADIO
 from rqt_mrta_py.config.yaml.places import PLACE
 from rqt_mrta_py.config.yaml.schema import Key, Table, ValueType
 
-__all__ = ["ARENA", "OBSTACLE", "ROBOT", "ROBOT_DEFAULTS", "SCENARIO_FILE", "SENSOR"]
+__all__ = ["ARENA", "BODY", "OBSTACLE", "ROBOT", "ROBOT_DEFAULTS", "SCENARIO_FILE", "SENSOR"]
 
 ARENA = Table(
     "arena",
@@ -37,6 +37,20 @@ OBSTACLE = Table(
         Key("y", ValueType.NUMBER, "Position of its centre along the y axis.", "m"),
         Key("yaw", ValueType.NUMBER, "Turn of its length, counter-clockwise from the x axis.", "rad", 0.0),
         Key("size", ValueType.NUMBERS, "Length, width, height; a cylinder's diameter stands twice.", "m", count=3),
+    ),
+)
+
+BODY = Table(
+    "body",
+    "A loose body on the floor, which robots can push and, with a gripper, carry.",
+    (
+        Key("id", ValueType.TEXT, "Name of the body; no obstacle or robot has it."),
+        Key("kind", ValueType.TEXT, "What it is, as those who look for it call it.", default="thing"),
+        Key("x", ValueType.NUMBER, "Position of its centre along the x axis.", "m"),
+        Key("y", ValueType.NUMBER, "Position of its centre along the y axis.", "m"),
+        Key("yaw", ValueType.NUMBER, "Turn of its length, counter-clockwise from the x axis.", "rad", 0.0),
+        Key("size", ValueType.NUMBERS, "Length, width, height.", "m", count=3),
+        Key("mass", ValueType.NUMBER, "How heavy it is.", "kg", 0.2, above=0),
     ),
 )
 
@@ -81,6 +95,7 @@ SCENARIO_FILE = Table(
         ),
         Key("arena", ValueType.TABLE, "Floor and walls.", table=ARENA),
         Key("obstacles", ValueType.TABLES, "Fixed bodies on the floor.", default=(), table=OBSTACLE),
+        Key("bodies", ValueType.TABLES, "Loose bodies on the floor.", default=(), table=BODY),
         Key("robot_defaults", ValueType.TABLE, "What robots have in common.", default=None, table=ROBOT_DEFAULTS),
         Key("robots", ValueType.TABLES, "The robots of the application.", table=ROBOT),
         Key("radio", ValueType.TABLE, "The radio between robots; perfect if not given.", default=None, table=RADIO),

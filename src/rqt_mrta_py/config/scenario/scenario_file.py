@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Optional, Sequence, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 from rqt_mrta_py.config.problems import Problems
 from rqt_mrta_py.config.scenario.events import read_events
@@ -12,6 +12,7 @@ from rqt_mrta_py.config.yaml.rows import Row, read_document
 from rqt_mrta_py.config.yaml.text import parse_yaml
 from rqt_mrta_py.model import (
     Arena,
+    LooseBody,
     Obstacle,
     Pose,
     RadioSetup,
@@ -47,15 +48,19 @@ def read_scenario(
     root = read_document(parse_yaml(text, path), SCENARIO_FILE, problems)
     robot_rows: List[Row] = root.values["robots"] or []
     obstacle_rows: List[Row] = root.values["obstacles"] or []
+    body_rows: List[Row] = root.values["bodies"] or []
     event_rows: List[Row] = root.values["events"] or []
     defaults: Optional[Row] = root.values["robot_defaults"]
     names = _check_ids(robot_rows, "robots", problems)
     _check_ids(obstacle_rows, "obstacles", problems)
+    _check_ids(body_rows, "bodies", problems)
     if robots is not None:
         _check_team(root, robot_rows, names, robots, problems)
     _check_arena(root.values["arena"], problems)
     for row in obstacle_rows:
         _check_obstacle(row, problems)
+    for row in body_rows:
+        _check_size(row, problems)
     for row in [*([defaults] if defaults is not None else []), *robot_rows]:
         _check_sensors(row, problems)
     events = read_events(event_rows, list(names), tasks, problems)
@@ -72,6 +77,7 @@ def read_scenario(
         picture_period=root.values["picture_period"],
         radio=_radio(root.values["radio"]),
         planner=root.values["planner"],
+        bodies=tuple(_body(row) for row in body_rows),
     )
 
 
@@ -113,13 +119,20 @@ def _check_arena(row: Optional[Row], problems: Problems) -> None:
             problems.add(*row.at(f"max_{axis}"), f"must be above min_{axis}, which is {low:g} m (got {high:g})")
 
 
-def _check_obstacle(row: Row, problems: Problems) -> None:
+def _check_size(row: Row, problems: Problems) -> bool:
+    """Note a size that is none; tell whether it is one."""
     size = row.values["size"]
     if size is None:
-        return
+        return False
     if min(size) <= 0.0:
         problems.add(*row.at("size"), f"must be above 0 m in each direction (got {shown(list(size))})")
-    elif row.values["shape"] == "cylinder" and size[0] != size[1]:
+        return False
+    return True
+
+
+def _check_obstacle(row: Row, problems: Problems) -> None:
+    size = row.values["size"]
+    if _check_size(row, problems) and row.values["shape"] == "cylinder" and size[0] != size[1]:
         problems.add(*row.at("size"), f"of a cylinder begins with its diameter twice (got {shown(list(size))})")
 
 
@@ -132,10 +145,20 @@ def _check_sensors(row: Row, problems: Problems) -> None:
 
 
 def _obstacle(row: Row) -> Obstacle:
-    values = row.values
-    length, width, height = values["size"]
-    pose = Pose(values["x"], values["y"], values["yaw"])
-    return Obstacle(normalise_id(values["id"]), pose, (length, width, height), values["shape"])
+    return Obstacle(normalise_id(row.values["id"]), _pose(row), _size(row), row.values["shape"])
+
+
+def _body(row: Row) -> LooseBody:
+    return LooseBody(normalise_id(row.values["id"]), _pose(row), _size(row), row.values["mass"], row.values["kind"])
+
+
+def _pose(row: Row) -> Pose:
+    return Pose(row.values["x"], row.values["y"], row.values["yaw"])
+
+
+def _size(row: Row) -> Tuple[float, float, float]:
+    length, width, height = row.values["size"]
+    return length, width, height
 
 
 def _robot(row: Row, defaults: Optional[Row]) -> RobotSetup:
