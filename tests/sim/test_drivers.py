@@ -20,8 +20,9 @@ class Team:
 
     def __init__(self, size=1):
         self.names = [f"robot{number + 1}" for number in range(size)]
-        self.robots = {name: SimulatedRobot(name, DIFF_DRIVE) for name in self.names}
-        self.drivers = Drivers(self.robots)
+        news = set()
+        self.robots = {name: SimulatedRobot(name, DIFF_DRIVE, news) for name in self.names}
+        self.drivers = Drivers(self.robots, news)
         self.driven = {}
 
     def hear(self, *told):

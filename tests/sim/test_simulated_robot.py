@@ -9,8 +9,8 @@ from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
 from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
 
 
-def robot():
-    return SimulatedRobot("robot1", DIFF_DRIVE)
+def robot(news=None):
+    return SimulatedRobot("robot1", DIFF_DRIVE, set() if news is None else news)
 
 
 def take(driver, vx=0.0, vy=0.0, wz=0.0):
@@ -70,8 +70,9 @@ def test_stopped_robot_is_still_and_deaf():
     assert driver.command(is_obeying=True) == Twist(0.3, 0.0, 0.0)
 
 
-def test_robot_has_news_when_something_befell_it_that_may_change_its_answer():
-    driver, told = robot(), []
+def test_robot_enters_itself_when_something_befell_it_that_may_change_its_answer():
+    news, told = set(), []
+    driver = robot(news)
     for happening in (
         lambda: None,
         lambda: take(driver, 0.2),
@@ -83,6 +84,7 @@ def test_robot_has_news_when_something_befell_it_that_may_change_its_answer():
         lambda: None,
     ):
         happening()
-        told.append(driver.has_news)
+        told.append(news == {"robot1"})
         driver.command(is_obeying=True)
+        assert news == set()
     assert told == [True, True, False, True, True, True, True, False]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Callable, Iterator, List, Mapping, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, AbstractSet, Callable, Iterator, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import Subscription, TeamHeard
 from rqt_mrta_py.model import Twist
@@ -33,12 +33,14 @@ class Drivers:
 
     Args:
         robots: by id.
+        news: ids of those that something befell; robots enter themselves.
     """
 
-    def __init__(self, robots: Mapping[str, SimulatedRobot]) -> None:
+    def __init__(self, robots: Mapping[str, SimulatedRobot], news: AbstractSet[str]) -> None:
         import numpy as np
 
         self._robots = tuple(robots.values())
+        self._news = news
         self._rows = {robot_id: row for row, robot_id in enumerate(robots)}
         # When the newest command was heard, on the robot's clock [s].
         self._commanded_at = [-math.inf] * len(robots)
@@ -75,11 +77,12 @@ class Drivers:
         import numpy as np
 
         obeying = ~(times - np.array(self._commanded_at) > _TOO_OLD)
-        changed = (obeying != self._obeying).tolist()
+        rows = {self._rows[robot_id] for robot_id in self._news}
+        rows.update(np.flatnonzero(obeying != self._obeying).tolist())
         self._obeying = obeying
-        for row, (robot, is_changed) in enumerate(zip(self._robots, changed)):
-            if is_changed or robot.has_news:
-                twist = robot.command(bool(obeying[row]))
-                if twist is not self._driven[row]:
-                    self._driven[row] = twist
-                    yield robot.id, twist
+        for row in sorted(rows):
+            robot = self._robots[row]
+            twist = robot.command(bool(obeying[row]))
+            if twist is not self._driven[row]:
+                self._driven[row] = twist
+                yield robot.id, twist

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from operator import itemgetter
-from typing import Any, Mapping, Optional, Tuple
+from typing import Any, Mapping, Optional, Set, Tuple
 
 from rqt_mrta_py.hooks import RobotModel
 from rqt_mrta_py.model import Twist
@@ -24,25 +24,27 @@ class SimulatedRobot:
         node: resolved name of its node.
         is_stopped: True while it stands still and is silent.
         newest: content of the newest command that was taken since a stop, by path; None if there is none.
-        has_news: whether something befell it since ``command`` was asked last that may change the answer.
     """
 
-    def __init__(self, robot_id: str, model: RobotModel) -> None:
+    def __init__(self, robot_id: str, model: RobotModel, news: Set[str]) -> None:
         """Make a robot that stands still.
 
         Args:
             robot_id: its id.
             model: what it is like.
+            news: ids of robots that something befell, since ``command`` was asked last, that may change the answer;
+                it enters itself and takes itself out.
         """
         self.id = robot_id
         self.model = model
         self.node = f"/{robot_id}/driver"
         self.is_stopped = False
         self.newest: Optional[Mapping[str, Any]] = None
-        self.has_news = True
+        self._news = news
         self._speed_factor = 1.0
         self._asked: Optional[Tuple[float, ...]] = None
         self._command = _STILL
+        news.add(robot_id)
 
     @property
     def speed_factor(self) -> float:
@@ -52,7 +54,7 @@ class SimulatedRobot:
     @speed_factor.setter
     def speed_factor(self, factor: float) -> None:
         self._speed_factor = factor
-        self.has_news = True
+        self._news.add(self.id)
 
     def take(self, fields: Mapping[str, Any]) -> None:
         """Take a command; one that is not finite means to stand still, and while stopped none is taken.
@@ -67,7 +69,7 @@ class SimulatedRobot:
         if asked != self._asked:
             self._asked = asked
             self._command = _limit(self.model, *asked) if math.isfinite(sum(asked)) else _STILL
-            self.has_news = True
+            self._news.add(self.id)
 
     def command(self, is_obeying: bool) -> Twist:
         """Give the velocity to drive, within the model's limits.
@@ -75,7 +77,7 @@ class SimulatedRobot:
         Args:
             is_obeying: whether the newest command is young enough.
         """
-        self.has_news = False
+        self._news.discard(self.id)
         # Nothing was commanded since a stop, however young what came meanwhile.
         if self.is_stopped or not is_obeying or self.newest is None:
             return _STILL
@@ -85,14 +87,15 @@ class SimulatedRobot:
 
     def stop(self) -> None:
         """Fall silent and stand still; what was commanded is forgotten."""
-        self.is_stopped = self.has_news = True
+        self.is_stopped = True
+        self._news.add(self.id)
         self.newest = self._asked = None
         self._command = _STILL
 
     def resume(self) -> None:
         """Obey again."""
         self.is_stopped = False
-        self.has_news = True
+        self._news.add(self.id)
 
 
 def _scaled(twist: Twist, factor: float) -> Twist:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, AbstractSet, Iterable, Iterator, Mapping, Optional, Sequence
+from typing import TYPE_CHECKING, AbstractSet, Iterable, Iterator, Mapping, Optional, Sequence, Set
 
 from rqt_mrta_py.config.scenario.events import event_problems
 from rqt_mrta_py.errors import SimError
@@ -86,8 +86,9 @@ class Simulation:
         _raise_if_any(missing_links(scenario, links))
         placed = tuple(PlacedRobot(robot.id, models[robot.model], robot.start) for robot in scenario.robots)
         _raise_if_any(placement_problems(scenario.arena, scenario.obstacles, placed))
-        self.robots = {robot.id: SimulatedRobot(robot.id, models[robot.model]) for robot in scenario.robots}
-        self.drivers = Drivers(self.robots)
+        news: Set[str] = set()
+        self.robots = {robot.id: SimulatedRobot(robot.id, models[robot.model], news) for robot in scenario.robots}
+        self.drivers = Drivers(self.robots, news)
         self.sensing = Sensing(scenario, models, sensors, team_sensors, generators)
         self._names = list(self.robots)
         self._events = in_order(scenario)

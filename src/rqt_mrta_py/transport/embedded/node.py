@@ -53,6 +53,21 @@ class Node:
         clock_offset: its clock minus the bus's [s]; a receipt that it is told of is by its own clock.
     """
 
+    __slots__ = (
+        "_bus",
+        "_ears",
+        "_place",
+        "_remappings",
+        "_said",
+        "_teams",
+        "_ways",
+        "clock_offset",
+        "inbox",
+        "name",
+        "publishers",
+        "robot",
+    )
+
     def __init__(
         self, bus: Carrier, place: int, name: str, robot: str, remappings: Optional[Mapping[str, str]]
     ) -> None:
