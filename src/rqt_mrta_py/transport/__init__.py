@@ -1,7 +1,7 @@
 """Messages in motion.
 
 * ``codec``: message types, fields into bytes and back
-* ``patterns``, ``fitting``, ``dispatch``: hearing a stream
+* ``patterns``, ``fitting``, ``routes``, ``line_ups``, ``dispatch``: hearing a stream
 * ``embedded``: the bus of simulated runs
 * ``batch``: messages of one moment, column by column; ``packing`` brings them from process to process
 * ``bags``: as they are recorded, as they are read, whole or not
