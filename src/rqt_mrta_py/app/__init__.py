@@ -6,6 +6,7 @@
 * ``outputs``: what both leave
 * ``mission_message``: a mission as the first message of its bag; ``selection``: part of its team, another world
 * ``guard``, ``observers``: plugins' parts, told by name when they fail; ``interrupt``: Ctrl-C
+* ``processes``: what those have in common that share work
 * ``catalogue``: what is registered; ``doctor``: what is wrong with it
 * ``bench``: what can be measured
 * ``cli``: the command ``mrta``, one verb to a file

@@ -31,7 +31,7 @@ from rqt_mrta_py.supervisor import Supervisor, team_news
 from rqt_mrta_py.transport import Batch, Dispatcher
 from rqt_mrta_py.wording import accepted
 
-__all__ = ["CURVE_WINDOW", "Observation"]
+__all__ = ["CURVE_WINDOW", "Observation", "interpreter_for"]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
@@ -69,7 +69,7 @@ class Observation:
         self._manager = manager
         self.supervisor = Supervisor(
             mission,
-            interpreter=_interpreter(mission, manager),
+            interpreter=interpreter_for(mission, manager),
             rules=manager.registered("mrta_register_incident_rules"),
             statistics=manager.registered("mrta_register_statistics"),
             on_event=self._on_event,
@@ -141,7 +141,12 @@ class Observation:
         self._manager.notify("mrta_on_event", event=event)
 
 
-def _interpreter(mission: Mission, manager: PluginManager) -> Optional[AllocationInterpreter]:
+def interpreter_for(mission: Mission, manager: PluginManager) -> Optional[AllocationInterpreter]:
+    """Make what reads the signs of a mission's architecture; None if no plugin registers it.
+
+    Raises:
+        HookError: it cannot be made.
+    """
     factories: Dict[str, AllocationInterpreterFactory] = manager.registered("mrta_register_allocation_interpreters")
     package = mission.architecture.package
     if package not in factories:

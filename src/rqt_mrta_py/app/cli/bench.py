@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from rqt_mrta_py.app.cli.common import complain_about, print_json, print_table
+from rqt_mrta_py.app.cli.common import ProgressLine, complain_about, print_json, print_table
 from rqt_mrta_py.app.cli.parser import CommandParser, VerbParser, verbosity
 from rqt_mrta_py.app.cli.stdout import standard_output
 from rqt_mrta_py.errors import MrtaError
@@ -24,7 +24,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(options: argparse.Namespace) -> int:
     """List benchmarks, or measure one and print its tables."""
-    from rqt_mrta_py.app.bench.no_laboratory import NoLaboratory
+    from rqt_mrta_py.app.bench.laboratory import EmbeddedLaboratory
     from rqt_mrta_py.app.bench.registered import benchmark_named, benchmarks_of, measured, owner_of, prepared
     from rqt_mrta_py.app.bench.report import cell_text, report_document, write_report
     from rqt_mrta_py.app.compose import compose
@@ -49,7 +49,8 @@ def main(options: argparse.Namespace) -> int:
     prepared(host.manager, options.name, parser)
     own = parser.parse_args(options.rest)
     folder = None if own.out is None else OutputFolder.create(own.out, options.name, own.force)
-    report = measured(host.manager, options.name, own, NoLaboratory())
+    with ProgressLine(options.name, own.quiet, unit="missions") as progress:
+        report = measured(host.manager, options.name, own, EmbeddedLaboratory(host, progress=progress))
     if folder is not None:
         write_report(folder, options.name, report)
     with standard_output():

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable, Optional, Tuple
@@ -16,6 +15,7 @@ from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.app.outputs.picture_files import PictureFiles, check_film, open_film
 from rqt_mrta_py.app.outputs.pictures import PictureSchedule, period_in_ticks
 from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch
+from rqt_mrta_py.app.processes import cores
 from rqt_mrta_py.app.run.collector import rare_collections
 from rqt_mrta_py.app.run.embedded import EmbeddedRun
 from rqt_mrta_py.app.run.watch import WatchPlan
@@ -107,7 +107,7 @@ def run_mission(host: Host, request: RunRequest, progress: Callable[[float, floa
                 patience=host.manager.patience,
                 figures=figures,
             )
-            processes = 1 if run.team_hears_supervisor else request.processes or min(2, _cores())
+            processes = 1 if run.team_hears_supervisor else request.processes or min(2, cores())
             with rare_collections(), open_watcher(plan, run.bus, codec, processes) as watcher:
                 for tick in range(run.last_tick + 1):
                     with host.manager.patience.at_work(f"the mission's tick at {tick / scenario.control_rate:g} s"):
@@ -120,11 +120,6 @@ def run_mission(host: Host, request: RunRequest, progress: Callable[[float, floa
             return stopwatch.result(folder, results, interrupt, processes)
     finally:
         run.close()
-
-
-def _cores() -> int:
-    """Count the cores that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _pictures(host: Host, folder: OutputFolder, period: float, rate: int, video: bool) -> Optional[PictureSchedule]:

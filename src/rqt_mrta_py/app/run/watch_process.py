@@ -8,7 +8,6 @@ whole: told to go, the process completes it; left alone, it brings to the file w
 from __future__ import annotations
 
 import multiprocessing
-import pickle
 import queue
 import signal
 import sys
@@ -19,6 +18,7 @@ from multiprocessing.connection import Connection
 from typing import Any, Callable, Iterator, List, NamedTuple, Optional, Tuple
 
 from rqt_mrta_py.app.outputs.results import Results
+from rqt_mrta_py.app.processes import sendable
 from rqt_mrta_py.app.run.watch import Watcher, WatchPlan, open_watch
 from rqt_mrta_py.errors import MrtaError
 from rqt_mrta_py.hooks import Codec
@@ -212,7 +212,7 @@ def _run(ends: _Ends, theirs: Tuple[Connection, ...]) -> None:
     try:
         results = _watch(ends)
     except BaseException as error:  # noqa: BLE001 - the other side raises it
-        answer = (_sendable(error), traceback.format_exc(), None)
+        answer = (sendable(error), traceback.format_exc(), None)
     else:
         answer = (None, "", results)
     with suppress(OSError):  # nobody may be left to hear it
@@ -251,13 +251,3 @@ def _read(told: Connection, inbox: queue.Queue[Optional[bytes]]) -> None:
             inbox.put(told.recv_bytes())
     except (EOFError, OSError):
         inbox.put(None)
-
-
-def _sendable(error: BaseException) -> BaseException:
-    """Give an exception that arrives as it was, or its text where it would not."""
-    try:
-        if type(pickle.loads(pickle.dumps(error))) is type(error):
-            return error
-    except Exception:  # noqa: BLE001 - whatever a class does with its arguments
-        pass
-    return RuntimeError(f"{type(error).__name__}: {error}")
