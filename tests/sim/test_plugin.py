@@ -11,7 +11,7 @@ from rqt_mrta_py.sim.bullet import BulletWorld
 from rqt_mrta_py.sim.planar import PlanarWorld
 from rqt_mrta_py.sim.radio import LossyLink, PerfectLink
 from rqt_mrta_py.sim.robot_models import CARRIER, DIFF_DRIVE, OMNI_DRIVE, STRONG_CARRIER
-from rqt_mrta_py.sim.sensors import Bumper, Localiser, Odometry, RangeFinder
+from rqt_mrta_py.sim.sensors import Bumper, Detector, Localiser, Odometry, RangeFinder
 from tests.sim.radio.support import link_setup
 from tests.sim.sensors.support import context
 
@@ -33,7 +33,7 @@ def test_plugin_keeps_the_contract_and_registers_what_the_room_brings():
         "strong_carrier": STRONG_CARRIER,
     }
     kinds = {kind: type(factory(context(kind, "topic"))) for kind, factory in sensors.items()}
-    assert kinds == {"bumper": Bumper}
+    assert kinds == {"bumper": Bumper, "detector": Detector}
     kinds = {kind: type(factory([context(kind, "topic")])) for kind, factory in team_sensors.items()}
     assert kinds == {"localiser": Localiser, "odometry": Odometry, "range_finder": RangeFinder}
 

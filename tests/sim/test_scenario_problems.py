@@ -11,6 +11,7 @@ import pytest
 from rqt_mrta_py.errors import MissingDependencyError, SimError
 from rqt_mrta_py.model import (
     Arena,
+    LooseBody,
     Obstacle,
     Pose,
     RadioSetup,
@@ -30,11 +31,23 @@ SOUND = ScenarioSpec(
     ),
     world="planar",
 )
+CAN = LooseBody("can", Pose(-1.0, -1.0), (0.1, 0.1, 0.1))
+
+
+class BareWorld:
+    """Robots drive in it, and there is nothing else."""
+
+    capabilities = frozenset({"drive:differential", "ranges"})
+
+    def close(self) -> None:
+        """Do nothing."""
+
+
 PARTS: Dict[str, Any] = {
     "models": plugin.mrta_register_robot_models(),
     "sensors": plugin.mrta_register_sensors(),
     "team_sensors": plugin.mrta_register_team_sensors(),
-    "worlds": plugin.mrta_register_worlds(),
+    "worlds": {"bare": BareWorld, **plugin.mrta_register_worlds()},
     "links": plugin.mrta_register_links(),
     "link_random": lambda sender, receiver: np.random.default_rng(1),
 }
@@ -60,6 +73,9 @@ BROKEN: Dict[str, ScenarioSpec] = {
     "radio": replace(SOUND, radio=RadioSetup("lousy")),
     "setting of the radio": replace(SOUND, radio=RadioSetup("lossy", {"range": -1.0})),
     "drive": replace(first(model="omni_drive"), world="bullet"),
+    "place of a body": replace(SOUND, bodies=(replace(CAN, pose=Pose(2.0, 2.0)),)),
+    "name of a body": replace(SOUND, bodies=(replace(CAN, id="r2"), replace(CAN, mass=-1.0))),
+    "bodies": replace(first(model="carrier"), bodies=(CAN,), world="bare"),
 }
 
 
@@ -75,6 +91,14 @@ def test_what_a_simulation_refuses_is_told_in_its_words(name: str) -> None:
         Simulation(scenario=BROKEN[name], generators=generators, **PARTS)
 
     assert told(BROKEN[name]) == str(caught.value).splitlines()
+
+
+def test_world_must_know_bodies_and_where_robots_have_grippers_how_to_attach_them() -> None:
+    lacks = "world bare lacks {}; it can do: drive:differential, ranges"
+
+    assert told(BROKEN["bodies"]) == [f"body can: {lacks.format('bodies')}", f"robot r1: {lacks.format('attach')}"]
+    assert told(replace(SOUND, bodies=(CAN,), world="bare")) == [f"body can: {lacks.format('bodies')}"]
+    assert told(replace(first(model="carrier"), world="bare")) == []
 
 
 def test_everything_is_told_at_once() -> None:

@@ -1,4 +1,4 @@
-"""What every world promises, whatever is behind it."""
+"""What every world promises, whatever is behind it; of loose bodies in ``test_world_contract_of_bodies``."""
 
 from __future__ import annotations
 
@@ -13,21 +13,13 @@ import numpy as np
 import pytest
 
 from rqt_mrta_py.errors import SimError
-from rqt_mrta_py.hooks import Body, Contact, World
+from rqt_mrta_py.hooks import Body, Contact
 from rqt_mrta_py.model import Arena, Obstacle, Pose, Twist
 from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
 from tests.sim.worlds import TICK, WORLDS, crowd_hash, run, setup
 
 FRONT = DIFF_DRIVE.length / 2
 BLOCK = Body("block", (0.3, 0.0, 0.1), 0.0, (0.2, 0.2, 0.2), 0.5)
-
-
-def relative(world: World, robot: int, body_id: str) -> np.ndarray:
-    """Give where a body is as seen by a robot [m]."""
-    x, y, yaw = world.poses()[robot]
-    bx, by, _ = world.bodies()[body_id].position
-    dx, dy = bx - x, by - y
-    return np.array([math.cos(yaw) * dx + math.sin(yaw) * dy, math.cos(yaw) * dy - math.sin(yaw) * dx])
 
 
 def test_world_puts_robots_at_their_starts_in_the_order_of_the_setup(world):
@@ -285,15 +277,6 @@ def test_bearings_may_be_in_any_order_and_beyond_a_turn(world):
     np.testing.assert_allclose(measured, [near, far, near, far, near, near], atol=3e-3)
 
 
-def test_loose_body_is_seen_where_it_is_and_over_its_top(world):
-    world.reset(setup(Pose(-1.0, 0.0)))
-    world.add_body(replace(BLOCK, position=(0.0, 0.0, 0.1)))
-    assert world.ranges(["r0"], np.zeros(1), 4.0)[0][0] == pytest.approx(1.0 - 0.1, abs=3e-3)
-    world.remove_body("block")
-    world.add_body(replace(BLOCK, position=(0.0, 0.0, 0.05), size=(0.2, 0.2, 0.1)))
-    assert world.ranges(["r0"], np.zeros(1), 4.5)[0][0] == pytest.approx(4.0, abs=3e-3)
-
-
 def test_robots_that_start_in_each_other_come_apart_and_stay_in_the_arena(world):
     world.reset(setup(Pose(0.0, 0.0), Pose(0.1, 0.05, 1.0), Pose(2.9, -1.0, 0.5)))
     run(world, 2.0)
@@ -301,81 +284,6 @@ def test_robots_that_start_in_each_other_come_apart_and_stay_in_the_arena(world)
     assert np.isfinite(poses).all()
     assert math.hypot(*(poses[0] - poses[1])[:2]) > DIFF_DRIVE.width - 0.01
     assert np.abs(poses[:, :2]).max() < 3.0 - DIFF_DRIVE.width / 2 + 0.01
-
-
-def test_body_is_pushed_ahead_of_a_robot(world):
-    world.reset(setup(Pose(0.0, 0.0)))
-    world.add_body(BLOCK)
-    world.command("r0", "base", Twist(0.3, 0.0, 0.0))
-    run(world, 2.0)
-    assert world.bodies()["block"].position[0] > 0.5
-    assert relative(world, 0, "block")[0] > FRONT + 0.1 - 0.01
-
-
-def test_attached_body_travels_with_its_robot_and_stays_when_let_go(world):
-    world.reset(setup(Pose(0.0, 0.0)))
-    world.add_body(BLOCK)
-    world.attach("r0", "block")
-    held = relative(world, 0, "block")
-    world.command("r0", "base", Twist(0.2, 0.0, 0.5))
-    run(world, 2.0)
-    np.testing.assert_allclose(relative(world, 0, "block"), held, atol=0.01)
-    assert world.poses()[0, 2] > 0.7
-    world.command("r0", "base", Twist())
-    run(world, 0.5)
-    world.detach("block")
-    world.command("r0", "base", Twist(-0.3, 0.0, 0.0))
-    left = world.bodies()["block"].position
-    run(world, 2.0)
-    np.testing.assert_allclose(world.bodies()["block"].position, left, atol=0.02)
-
-
-def test_bodies_are_listed_in_the_order_of_their_adding_until_removed(world):
-    world.reset(setup(Pose(-2.0, 0.0)))
-    for index, name in enumerate(["b", "a", "c"]):
-        world.add_body(replace(BLOCK, id=name, position=(index * 0.5, 0.0, 0.1)))
-    assert list(world.bodies()) == ["b", "a", "c"]
-    world.attach("r0", "a")
-    world.remove_body("a")
-    assert list(world.bodies()) == ["b", "c"]
-    world.add_body(replace(BLOCK, id="a"))
-    assert list(world.bodies()) == ["b", "c", "a"]
-
-
-def test_body_cannot_take_an_id_in_use(world):
-    world.reset(setup(Pose(-2.0, 0.0), obstacles=[Obstacle("rock", Pose(1.0, 1.0), (0.2, 0.2, 0.2))]))
-    world.add_body(BLOCK)
-    for taken in ("block", "r0", "rock", "wall"):
-        with pytest.raises(SimError, match=rf"body {taken}: the id is taken"):
-            world.add_body(replace(BLOCK, id=taken))
-
-
-@pytest.mark.parametrize(
-    "change", [{"mass": 0.0}, {"size": (0.1, -0.1, 0.1)}, {"position": (0.0, math.nan, 0.0)}, {"friction": -1.0}]
-)
-def test_body_of_impossible_numbers_is_refused(world, change):
-    world.reset(setup())
-    with pytest.raises(SimError, match="body block: size and mass must be above 0"):
-        world.add_body(replace(BLOCK, **change))
-    assert world.bodies() == {}
-
-
-def test_unknown_body_is_refused_by_name(world):
-    world.reset(setup(Pose(-2.0, 0.0)))
-    world.add_body(BLOCK)
-    for call in (world.remove_body, world.detach, lambda name: world.attach("r0", name)):
-        with pytest.raises(SimError, match=r"body brick: there is no such body; there are: block"):
-            call("brick")
-
-
-def test_body_is_held_by_one_robot_at_a_time(world):
-    world.reset(setup(Pose(0.0, 0.0), Pose(0.6, 0.0, math.pi)))
-    world.add_body(BLOCK)
-    with pytest.raises(SimError, match="body block: not attached to any robot"):
-        world.detach("block")
-    world.attach("r0", "block")
-    with pytest.raises(SimError, match="body block: attached to r0 already"):
-        world.attach("r1", "block")
 
 
 @pytest.mark.parametrize(

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Callable, NamedTuple, Optional, Protocol, Sequence
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Callable, Mapping, NamedTuple, Optional, Protocol, Sequence, Tuple
 
 from rqt_mrta_py.hooks.robot_model import RobotModel
 from rqt_mrta_py.hooks.stream import Outgoing, TeamOutgoing
 from rqt_mrta_py.hooks.world import World
-from rqt_mrta_py.model import Pose, SensorSetup
+from rqt_mrta_py.model import LooseBody, Pose, SensorSetup
 
 if TYPE_CHECKING:
     import numpy as np
@@ -25,6 +26,8 @@ __all__ = [
     "TeamSensorFactory",
 ]
 
+_NOTHING: Mapping[str, str] = MappingProxyType({})
+
 
 @dataclass(frozen=True)
 class SensorContext:
@@ -36,6 +39,7 @@ class SensorContext:
         setup: topic, rate and parameters.
         start: where the robot starts in the frame ``map``.
         random: this robot's own generator for sensors.
+        bodies: the scenario's loose bodies, as they are at the start.
     """
 
     robot_id: str
@@ -43,6 +47,7 @@ class SensorContext:
     setup: SensorSetup
     start: Pose
     random: np.random.Generator
+    bodies: Tuple[LooseBody, ...] = ()
 
 
 class RayPattern(NamedTuple):
@@ -66,12 +71,14 @@ class SensorMoment(NamedTuple):
         ranges: true distances along the rays that the sensor wants [m], shape (rays,), infinity where nothing is
             seen; not to be changed; None if it wants none.
         world: what can be measured besides.
+        held: who holds a loose body, by the body's id; what a stopped robot holds anybody can take, so it is left out.
     """
 
     now: float
     truth: Pose
     ranges: Optional[NDArray[np.float64]]
     world: World
+    held: Mapping[str, str] = _NOTHING
 
 
 class Sensor(Protocol):
@@ -104,6 +111,7 @@ class TeamMoment(NamedTuple):
         ranges: true distances along the rays that the sensor wants [m], shape (robots, rays), infinity where nothing
             is seen; None if it wants none.
         world: what can be measured besides.
+        held: as of a ``SensorMoment``.
 
     No array is to be changed, or kept.
     """
@@ -113,6 +121,7 @@ class TeamMoment(NamedTuple):
     truth: NDArray[np.float64]
     ranges: Optional[NDArray[np.float64]]
     world: World
+    held: Mapping[str, str] = _NOTHING
 
 
 class TeamSensor(Protocol):

@@ -7,9 +7,10 @@
 * ``sensors``: range finder, odometry, localiser, bumper; one file each
 * ``sensing``: sensors on robots: when they measure, rays cast together, ``/tf``
 * ``simulated_robot``: what one robot makes of its commands; ``drivers``: what all robots are commanded
+* ``grippers``: what robots take hold of; ``body_labels``: where loose bodies are, for people
 * ``schedule``: rates in ticks
 * ``angles``, ``picking``: of many robots at once
-* ``placement``, ``requirements``: what is wrong with a scenario, before anything is built
+* ``placement``, ``body_placement``, ``requirements``: what is wrong with a scenario, before anything is built
 * ``radio``: how messages between robots travel
 * ``clocks``, ``faults``: what befell robots
 * ``scenario_events``: labels and operators' orders

@@ -45,7 +45,7 @@ def mrta_register_robot_models() -> Mapping[str, RobotModel]:
 @hookimpl
 def mrta_register_sensors() -> Mapping[str, SensorFactory]:
     """Name the sensors of this room that measure robot by robot."""
-    return {"bumper": _bumper}
+    return {"bumper": _bumper, "detector": _detector}
 
 
 @hookimpl
@@ -76,6 +76,12 @@ def _bumper(context: SensorContext) -> Sensor:
     from rqt_mrta_py.sim.sensors import Bumper
 
     return Bumper(context)
+
+
+def _detector(context: SensorContext) -> Sensor:
+    from rqt_mrta_py.sim.sensors import Detector
+
+    return Detector(context)
 
 
 def _localiser(contexts: Sequence[SensorContext]) -> TeamSensor:

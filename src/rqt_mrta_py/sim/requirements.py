@@ -7,6 +7,7 @@ from typing import Collection, Dict, Iterable, Iterator, Mapping
 from rqt_mrta_py.hooks import LinkFactory, RobotModel, WorldFactory
 from rqt_mrta_py.model import ScenarioEventKind, ScenarioSpec
 from rqt_mrta_py.sim.faults import FREEZING
+from rqt_mrta_py.sim.grippers import GRIPPER
 from rqt_mrta_py.sim.sensing.mount import Mount, where_it_is
 from rqt_mrta_py.wording import accepted
 
@@ -63,6 +64,11 @@ def missing_capabilities(
     for event in scenario.events:
         if event.kind in FREEZING:
             needs.setdefault("freeze", f"event {event.kind.value} at {event.time:g} s")
+    if scenario.bodies:
+        needs.setdefault("bodies", f"body {scenario.bodies[0].id}")
+        for robot in scenario.robots:
+            if GRIPPER in models[robot.model].actuators:
+                needs.setdefault("attach", f"robot {robot.id}")
     for capability, who in needs.items():
         if capability not in capabilities:
             yield _lack(who, scenario.world, capability, capabilities)

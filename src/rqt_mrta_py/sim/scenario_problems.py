@@ -17,6 +17,7 @@ from rqt_mrta_py.hooks import (
     WorldSetup,
 )
 from rqt_mrta_py.model import Pose, ScenarioSpec
+from rqt_mrta_py.sim.body_placement import body_problems
 from rqt_mrta_py.sim.placement import placement_problems
 from rqt_mrta_py.sim.radio import LinkRandom, build_links
 from rqt_mrta_py.sim.requirements import blind_sensors, missing_capabilities, missing_links, missing_names
@@ -61,7 +62,8 @@ def scenario_problems(
     found = [*missing_names(scenario, models, kinds, worlds), *missing_links(scenario, links)]
     known = _known_part(scenario, models, kinds)
     placed = tuple(PlacedRobot(robot.id, models[robot.model], robot.start) for robot in known.robots)
-    found.extend(placement_problems(known.arena, known.obstacles, placed))
+    ground = (known.arena, known.obstacles, placed)
+    found.extend(placement_problems(*ground) or body_problems(known.bodies, *ground))
     found.extend(_raised(lambda: check_ids(WorldSetup(known.arena, known.obstacles, placed, 1.0))))
     mounted: List[Sensing] = []
     found.extend(_raised(lambda: mounted.append(Sensing(known, models, sensors, team_sensors, generators))))

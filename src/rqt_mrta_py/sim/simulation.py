@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, AbstractSet, Iterable, Iterator, Mapping, Opti
 from rqt_mrta_py.config.scenario.events import event_problems
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import (
+    Body,
     LinkFactory,
+    Outgoing,
     PlacedRobot,
     RobotModel,
     SensorFactory,
@@ -16,9 +18,12 @@ from rqt_mrta_py.hooks import (
     WorldFactory,
     WorldSetup,
 )
-from rqt_mrta_py.model import Pose, ScenarioEvent, ScenarioSpec
+from rqt_mrta_py.model import LooseBody, Pose, ScenarioEvent, ScenarioSpec
+from rqt_mrta_py.sim.body_labels import BodyLabels
+from rqt_mrta_py.sim.body_placement import body_problems
 from rqt_mrta_py.sim.drivers import Drivers
 from rqt_mrta_py.sim.faults import Faults
+from rqt_mrta_py.sim.grippers import Grippers
 from rqt_mrta_py.sim.placement import placement_problems
 from rqt_mrta_py.sim.radio import LinkRandom, PerfectLink, Radio, build_links
 from rqt_mrta_py.sim.requirements import blind_sensors, missing_capabilities, missing_links, missing_names
@@ -47,6 +52,7 @@ class Simulation:
         scenario: what is simulated.
         robots: by id, in the scenario's order.
         drivers: hear what the robots are commanded.
+        grippers: hear what those of them are commanded that have one.
         sensing: their sensors.
         world: where they are; built.
         radio: between them; to be asked for each delivery.
@@ -85,11 +91,14 @@ class Simulation:
         _raise_if_any([*missing_names(scenario, models, kinds, worlds), *event_problems(scenario)])
         _raise_if_any(missing_links(scenario, links))
         placed = tuple(PlacedRobot(robot.id, models[robot.model], robot.start) for robot in scenario.robots)
-        _raise_if_any(placement_problems(scenario.arena, scenario.obstacles, placed))
+        ground = (scenario.arena, scenario.obstacles, placed)
+        _raise_if_any(placement_problems(*ground) or body_problems(scenario.bodies, *ground))
         news: Set[str] = set()
         self.robots = {robot.id: SimulatedRobot(robot.id, models[robot.model], news) for robot in scenario.robots}
         self.drivers = Drivers(self.robots, news)
+        self.grippers = Grippers(self.robots, scenario.bodies, scenario.control_rate)
         self.sensing = Sensing(scenario, models, sensors, team_sensors, generators)
+        self._body_labels = BodyLabels(scenario.bodies, scenario.control_rate)
         self._names = list(self.robots)
         self._events = in_order(scenario)
         self._next_event = 0
@@ -104,6 +113,8 @@ class Simulation:
             blind = blind_sensors(scenario, self.sensing.mounts, capabilities)
             _raise_if_any([*missing_capabilities(scenario, models, capabilities), *blind])
             self.world.reset(WorldSetup(scenario.arena, scenario.obstacles, placed, 1.0 / scenario.control_rate))
+            for body in scenario.bodies:
+                self.world.add_body(_built(body))
         except BaseException:
             self.world.close()
             raise
@@ -139,16 +150,24 @@ class Simulation:
             now: the time [s].
 
         Yields:
-            What drivers publish: sensors in the order of kind, topic, rate and parameters, transforms last.
+            What drivers publish: sensors in the order of kind, topic, rate and parameters, then transforms, then what
+            grippers hold.
         """
         due = self.sensing.due(tick)
         if due:
-            yield from self.sensing.sense(due, self._times(now), self._where_they_are(), self.world)
+            held = self.grippers.held
+            yield from self.sensing.sense(due, self._times(now), self._where_they_are(), self.world, held)
+        yield from self.grippers.tell(tick)
+
+    def labels(self, tick: int, now: float) -> Iterator[Outgoing]:
+        """Tell people where loose bodies are; arguments as of ``sense``."""
+        return self._body_labels.due(tick, now, self.world, self.grippers.held)
 
     def act(self, now: float) -> None:
         """Command the world what robots were commanded, at a time [s]; what they do already is not said again."""
         for name, twist in self.drivers.commands(self._times(now)):
             self.world.command(name, "base", twist)
+        self.grippers.act(self.world, self._where_they_are)
 
     def step(self) -> None:
         """Let one tick pass in the world."""
@@ -206,6 +225,11 @@ class Simulation:
             if offsets
             else np.full(len(self._names), now)
         )
+
+
+def _built(body: LooseBody) -> Body:
+    """Give a body as worlds build it: standing on the floor."""
+    return Body(body.id, (body.pose.x, body.pose.y, body.size[2] / 2.0), body.pose.yaw, body.size, body.mass)
 
 
 def _no_chance(sender: str, receiver: str) -> np.random.Generator:

@@ -13,6 +13,9 @@ arena: {min_x: 0}
 obstacles:
   - {id: crate}
   - {id: /shelf}
+bodies:
+  - {id: can}
+  - {id: /tin}
 robot_defaults:
   model: cart
   sensors: [{kind: gps, topic: pose}, {kind: sonar, topic: scan}]
@@ -34,6 +37,9 @@ events:
         ("scenario: no world 'flat'; there is none", "world", "no world 'flat'; there is none"),
         ("arena: must be", "arena", "must be"),
         ("obstacle shelf: size", "obstacles[1]", "size"),
+        ("body tin: place (0, 0, 0) reaches", "bodies[1]", "place (0, 0, 0) reaches"),
+        ("body can: the id is taken", "bodies[0]/id", "the id is taken"),
+        ("body can: world planar lacks bodies; x", "bodies[0]", "world planar lacks bodies; x"),
         ("robot r1: no robot model 'cart'; x", "robot_defaults/model", "no robot model 'cart'; x"),
         ("robot r2: no robot model 'boat'; x", "robots[1]/model", "no robot model 'boat'; x"),
         ("robot r1: no sensor 'sonar' for scan; x", "robot_defaults/sensors[1]", "no sensor 'sonar' for scan; x"),

@@ -117,6 +117,8 @@ class EmbeddedRun:
             self._world_node.publish(mission_message(self._mission, now, self._duration), now)
         self._happen(tick, now)
         self._world_node.publish(Outgoing("/clock", "rosgraph_msgs/Clock", {"clock": now}), now)
+        for label in self._simulation.labels(tick, now):
+            self._world_node.publish(label, now)
         self._sense(tick, now)
         self.bus.deliver(now)
         self._decide(tick, now)
@@ -159,7 +161,7 @@ class EmbeddedRun:
 
     def _decide(self, tick: int, now: float) -> None:
         self.bus.publish_each(self._decisions(tick, now), now)
-        self.bus.deliver(now, (self._team.commands,))
+        self.bus.deliver(now, self._team.commands)
 
     def _decisions(self, tick: int, now: float) -> Iterator[Tuple[Node, Sequence[Outgoing]]]:
         """Let one robot after the other decide what to say."""

@@ -41,11 +41,11 @@ class Team:
 
     Attributes:
         members: by id, in the application's order.
-        commands: hears for all simulated hardware what it is commanded.
+        commands: hear for all simulated hardware what it is commanded: bases, then grippers if there are any.
     """
 
     members: Dict[str, Member]
-    commands: TeamEar
+    commands: Tuple[TeamEar, ...]
 
 
 def build_team(mission: Mission, seed: int, simulation: Simulation, bus: Bus, manager: PluginManager) -> Team:
@@ -65,16 +65,24 @@ def build_team(mission: Mission, seed: int, simulation: Simulation, bus: Bus, ma
     """
     maker = HostMaker(mission, seed, simulation, manager)
     members: Dict[str, Member] = {}
-    subscription, hear_commands = simulation.drivers.listener([robot.id for robot in mission.application.robots])
+    robots = [robot.id for robot in mission.application.robots]
+    drive, hear_drives = simulation.drivers.listener(robots)
+    with_gripper = frozenset(simulation.grippers.robots)
+    gripping = [robot for robot in robots if robot in with_gripper]
+    grip, hear_grips = simulation.grippers.listener(gripping)
     for robot in mission.application.robots:
         with manager.patience.at_work(f"the making of {robot.id}"):
             host = maker.host(robot.id)
         agent_node = bus.node(f"/{robot.id}/agent", robot=robot.id)
         driver_node = bus.node(f"/{robot.id}/driver", robot=robot.id)
-        topics = [resolve_topic(subscription.topic, driver_node.name)]
+        topics = [resolve_topic(drive.topic, driver_node.name)]
+        if robot.id in with_gripper:
+            topics.append(resolve_topic(grip.topic, driver_node.name))
         for wish, callback in host.listeners():
             agent_node.subscribe(wish, callback)
             topics.append(resolve_topic(wish.topic, agent_node.name))
         members[robot.id] = Member(robot.id, host, agent_node, driver_node, tuple(map(TopicPattern, topics)))
-    drivers = [member.driver_node for member in members.values()]
-    return Team(members, bus.subscribe_together(drivers, subscription, hear_commands))
+    commands = [bus.subscribe_together([members[name].driver_node for name in robots], drive, hear_drives)]
+    if gripping:
+        commands.append(bus.subscribe_together([members[name].driver_node for name in gripping], grip, hear_grips))
+    return Team(members, tuple(commands))

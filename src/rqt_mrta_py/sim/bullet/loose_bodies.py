@@ -37,6 +37,7 @@ class LooseBodies:
         self._engine = engine
         self._bodies: Dict[str, int] = {}
         self._half_sizes: Dict[str, Tuple[float, ...]] = {}
+        self._frictions: Dict[str, float] = {}
         self._holds: Dict[str, _Hold] = {}
 
     def add(self, body: Body) -> int:
@@ -58,9 +59,10 @@ class LooseBodies:
             baseOrientation=(0.0, 0.0, math.sin(body.yaw / 2), math.cos(body.yaw / 2)),
             physicsClientId=client,
         )
-        bullet.changeDynamics(number, _BASE, lateralFriction=body.friction, physicsClientId=client)
+        self._rub(number, body.friction)
         bullet.setCollisionFilterGroupMask(number, _BASE, LOOSE_GROUP, _EVERYTHING, physicsClientId=client)
         self._bodies[body.id] = number
+        self._frictions[body.id] = body.friction
         self._half_sizes[body.id] = half_extents
         return number
 
@@ -77,11 +79,13 @@ class LooseBodies:
         if body_id in self._holds:
             self.detach(body_id)
         self._engine.bullet.removeBody(number, physicsClientId=self._engine.client)
-        del self._bodies[body_id], self._half_sizes[body_id]
+        del self._bodies[body_id], self._half_sizes[body_id], self._frictions[body_id]
         return number
 
     def attach(self, robot_id: str, robot: WheeledRobot, body_id: str) -> None:
         """Fix a body to a robot in their present relative pose; until detached, the two do not collide.
+
+        Meanwhile it rubs on nothing: a robot carries it, and does not drag it over the floor.
 
         Raises:
             SimError: there is no such body, or it is attached already.
@@ -108,6 +112,7 @@ class LooseBodies:
         )
         self._holds[body_id] = _Hold(robot_id, robot, constraint)
         self._collide(robot, number, enabled=False)
+        self._rub(number, 0.0)
 
     def detach(self, body_id: str) -> None:
         """Let go of a body.
@@ -121,6 +126,7 @@ class LooseBodies:
             raise SimError(f"body {body_id}: not attached to any robot, so it cannot be detached")
         self._engine.bullet.removeConstraint(hold.constraint, physicsClientId=self._engine.client)
         self._collide(hold.robot, number, enabled=True)
+        self._rub(number, self._frictions[body_id])
 
     def states(self) -> Dict[str, BodyState]:
         """Give where every body is."""
@@ -144,6 +150,10 @@ class LooseBodies:
         if number is None:
             raise SimError(f"body {body_id}: there is no such body; there are: {', '.join(self._bodies) or 'none'}")
         return number
+
+    def _rub(self, number: int, friction: float) -> None:
+        bullet, client = self._engine.bullet, self._engine.client
+        bullet.changeDynamics(number, _BASE, lateralFriction=friction, physicsClientId=client)
 
     def _collide(self, robot: WheeledRobot, number: int, *, enabled: bool) -> None:
         for link in _ROBOT_LINKS:

@@ -160,7 +160,7 @@ class _Alone:
     def measure(self, robots: Sequence[str], moment: TeamMoment) -> Sequence[Said]:
         ranges = None if moment.ranges is None else moment.ranges[0]
         now, truth = float(moment.now[0]), Pose(*moment.truth[0].tolist())
-        answer: Any = self._sensor.sense(SensorMoment(now, truth, ranges, moment.world))
+        answer: Any = self._sensor.sense(SensorMoment(now, truth, ranges, moment.world, moment.held))
         if not isinstance(answer, (tuple, list)) or isinstance(answer, Outgoing):
             raise SimError(f"{self._where}: answered {shown(answer)}; accepted is a sequence of Outgoing")
         for message in answer:

@@ -73,7 +73,12 @@ class Sensing:
         return [mount for mount in self.mounts if mount.robots and mount.schedule.is_due(tick)]
 
     def sense(
-        self, due: Sequence[Mount], times: NDArray[np.float64], truth: NDArray[np.float64], world: World
+        self,
+        due: Sequence[Mount],
+        times: NDArray[np.float64],
+        truth: NDArray[np.float64],
+        world: World,
+        held: Mapping[str, str],
     ) -> Iterator[Said]:
         """Let sensors measure.
 
@@ -82,6 +87,7 @@ class Sensing:
             times: on each robot's clock, in the scenario's order [s], shape (robots,).
             truth: true poses in the frame ``map``: x, y [m] and yaw [rad], shape (robots, 3).
             world: where they are.
+            held: who holds a loose body, as sensors are told.
 
         Yields:
             What is published: of each sensor in turn, then the transforms that follow from it.
@@ -91,7 +97,8 @@ class Sensing:
         """
         seen = cast_together(self._world_name, world, due)
         for place, mount in enumerate(due):
-            moment = TeamMoment(mount.members, times[mount.places], truth[mount.places], seen.get(place), world)
+            places, ranges = mount.places, seen.get(place)
+            moment = TeamMoment(mount.members, times[places], truth[places], ranges, world, held)
             yield from self.measure(mount, moment)
         yield from self.transforms.due(times)
 
@@ -111,7 +118,8 @@ def _carrier(
     generators: Mapping[str, np.random.Generator],
 ) -> Carrier:
     robot = scenario.robots[place]
-    return Carrier(place, SensorContext(robot.id, models[robot.model], group.setup, robot.start, generators[robot.id]))
+    model, random = models[robot.model], generators[robot.id]
+    return Carrier(place, SensorContext(robot.id, model, group.setup, robot.start, random, scenario.bodies))
 
 
 def _mountings(

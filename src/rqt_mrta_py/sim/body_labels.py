@@ -1,0 +1,49 @@
+"""Where all loose bodies are, told to people: a label that no rule may read."""
+
+from __future__ import annotations
+
+from typing import Collection, Iterator, Sequence
+
+from rqt_mrta_py.hooks import Outgoing, World
+from rqt_mrta_py.model import LooseBody
+from rqt_mrta_py.sim.schedule import Schedule
+
+__all__ = ["BODIES_TOPIC", "BodyLabels"]
+
+BODIES_TOPIC = "/simulation/bodies"
+
+_RATE = 2.0
+"""How often it is told [Hz]."""
+
+
+class BodyLabels:
+    """Tells on ``/simulation/bodies`` twice a second where the bodies of a scenario are, if it has any.
+
+    Args:
+        bodies: of the scenario.
+        control_rate: ticks a second [Hz].
+    """
+
+    def __init__(self, bodies: Sequence[LooseBody], control_rate: int) -> None:
+        self._bodies = sorted(bodies, key=lambda body: body.id)
+        self._schedule = Schedule(min(_RATE, control_rate), control_rate)
+
+    def due(self, tick: int, now: float, world: World, held: Collection[str]) -> Iterator[Outgoing]:
+        """Tell, if it is time to.
+
+        Args:
+            tick: of the mission, from 0.
+            now: the time [s].
+            world: where they are.
+            held: ids of those that a robot at work holds.
+        """
+        if not self._bodies or not self._schedule.is_due(tick):
+            return
+        states = world.bodies()
+        detections = []
+        for body in self._bodies:
+            x, y, z = states[body.id].position
+            position = {"x": x, "y": y, "z": z}
+            detections.append({"id": body.id, "kind": body.kind, "position": position, "held": body.id in held})
+        fields = {"header": {"stamp": now, "frame_id": "map"}, "detections": detections}
+        yield Outgoing(BODIES_TOPIC, "rqt_mrta_py/Detections", fields)
