@@ -1,8 +1,8 @@
 """Bags as they are recorded: ROS 1 format 2.0, chunk by chunk, so that a killed recording is lost by a second at most.
 
-Messages wait as they are until their chunk is written, which happens in one piece; those of a batch wait run by run, and
-nothing is made for each of them. rosbags' own writer is not used: ROS refuses its LZ4 frames, ``rosbag reindex`` and appending destroy its
-first chunk, and each of its writes searches all connections.
+Messages wait as they are until their chunk is written, which happens in one piece; those of a batch wait run by run,
+and nothing is made for each of them. rosbags' own writer is not used: ROS refuses its LZ4 frames, ``rosbag reindex``
+and appending destroy its first chunk, and each of its writes searches all connections.
 """
 
 from __future__ import annotations
