@@ -54,7 +54,7 @@ class ScriptedRandom:
 
     def standard_normal(self, size: Optional[int] = None, out: Optional[np.ndarray] = None):
         if out is not None:
-            out[:] = self.standard_normal(out.size)
+            out[:] = self.standard_normal(out.size).reshape(out.shape)
             return out
         if size is None:
             return next(self._normals, 0.0)

@@ -90,9 +90,20 @@ def test_range_finder_draws_as_much_whatever_it_sees():
     states = []
     for seen in ([1.0], [math.inf], [0.01]):
         random = np.random.default_rng(3)
-        scan(seen, random)
+        many(seen, random=random)
         states.append(random.bit_generator.state)
     assert states[0] == states[1] == states[2]
+
+
+def test_range_finder_draws_noise_and_losses_of_seven_scans_of_36_rays_in_turn():
+    sensor = RangeFinder([context("range_finder", "scan", noise=0.1, noise_per_metre=0.0, dropout=0.3)])
+    now = moment(1.0, [START], np.full((1, 36), 2.0))
+    scans = [ranges_of(outgoing) for _ in range(10) for outgoing in sensor.sense(now)]
+    random = np.random.default_rng(7)
+    for first in (0, 7):
+        noise, chance = random.standard_normal((7, 36)), random.random((7, 36))
+        expected = np.where(chance < 0.3, np.inf, 2.0 + 0.1 * noise)
+        np.testing.assert_allclose(scans[first : first + 7], expected[: len(scans) - first], rtol=1e-12)
 
 
 def test_range_finder_tells_all_wrong_parameters_at_once():

@@ -9,6 +9,7 @@ import numpy as np
 from rqt_mrta_py.hooks import SensorContext, TeamMoment, TeamOutgoing
 from rqt_mrta_py.sim.angles import wrap_angles
 from rqt_mrta_py.sim.picking import picked
+from rqt_mrta_py.sim.sensors.ahead import Ahead
 from rqt_mrta_py.sim.sensors.settings import SensorSettings
 
 __all__ = ["Localiser"]
@@ -30,7 +31,7 @@ class Localiser:
         self._noise = np.array([position_noise, position_noise, heading_noise])
         self._topic = contexts[0].setup.topic
         self._robots = tuple([context.robot_id for context in contexts])
-        self._randoms = tuple([context.random for context in contexts])
+        self._normal = Ahead([context.random.standard_normal for context in contexts], 3)
 
     @property
     def rays(self) -> None:
@@ -38,7 +39,7 @@ class Localiser:
 
     def sense(self, moment: TeamMoment) -> Sequence[TeamOutgoing]:
         """Locate once."""
-        drawn = np.array([random.standard_normal(3) for random in picked(self._randoms, moment.members)])
+        drawn = self._normal.take(moment.members)
         with np.errstate(over="ignore"):
             x, y, heading = (moment.truth + self._noise * drawn).T
         yaw = wrap_angles(heading)

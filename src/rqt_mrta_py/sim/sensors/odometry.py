@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rqt_mrta_py.hooks import SensorContext, TeamMoment, TeamOutgoing
 from rqt_mrta_py.sim.angles import wrap_angles
 from rqt_mrta_py.sim.picking import picked
+from rqt_mrta_py.sim.sensors.ahead import Ahead
 from rqt_mrta_py.sim.sensors.settings import SensorSettings
 
 __all__ = ["Odometry"]
@@ -52,8 +53,9 @@ class Odometry:
         self._robots = tuple([context.robot_id for context in contexts])
         self._frames = tuple([f"{context.robot_id}/odom" for context in contexts])
         self._child_frames = tuple([f"{context.robot_id}/base_link" for context in contexts])
-        self._randoms = tuple([context.random for context in contexts])
-        distance_bias, turn_bias, heading_bias = np.array([random.standard_normal(3) for random in self._randoms]).T
+        draws = [context.random.standard_normal for context in contexts]
+        distance_bias, turn_bias, heading_bias = np.array([draw(3) for draw in draws]).T
+        self._normal = Ahead(draws, 1)
         with np.errstate(over="ignore"):
             self._distance_factor: _Floats = 1.0 + distance_error * distance_bias
             self._turn_factor: _Floats = 1.0 + turn_error * turn_bias
@@ -103,7 +105,6 @@ class Odometry:
         middle = before[2] + turn / 2
         distance = (truth[0] - before[0]) * np.cos(middle) + (truth[1] - before[1]) * np.sin(middle)
         length = np.abs(distance)
-        drawn = np.array([random.standard_normal() for random in picked(self._randoms, members)])
-        walk = drawn * self._heading_walk * np.sqrt(length)
+        walk = self._normal.take(members)[:, 0] * self._heading_walk * np.sqrt(length)
         counted_turn = turn * self._turn_factor[members] + self._heading_per_metre[members] * length + walk
         return distance * self._distance_factor[members], counted_turn

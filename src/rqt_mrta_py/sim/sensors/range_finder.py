@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rqt_mrta_py.hooks import Column, RayPattern, SensorContext, TeamMoment, TeamOutgoing
 from rqt_mrta_py.sim.picking import picked
 from rqt_mrta_py.sim.sensing.rays import MOST_RAYS
+from rqt_mrta_py.sim.sensors.ahead import Ahead
 from rqt_mrta_py.sim.sensors.settings import SensorSettings
 
 __all__ = ["RangeFinder"]
@@ -49,7 +50,8 @@ class RangeFinder:
         self._robots = tuple([context.robot_id for context in contexts])
         self._frames = tuple([f"{context.robot_id}/base_link" for context in contexts])
         self._topic = contexts[0].setup.topic
-        self._randoms = tuple([context.random for context in contexts])
+        self._normal = Ahead([context.random.standard_normal for context in contexts], rays)
+        self._uniform = Ahead([context.random.random for context in contexts], rays)
         self._bearings = _bearings(rays, fov)
         increment = float(self._bearings[1] - self._bearings[0]) if rays > 1 else 0.0
         self._constant = {
@@ -67,20 +69,17 @@ class RangeFinder:
         return RayPattern(self._bearings, self._max_range)
 
     def sense(self, moment: TeamMoment) -> Sequence[TeamOutgoing]:
-        """Measure once; draws as many random numbers whatever is seen."""
+        """Measure once; takes as many random numbers whatever is seen."""
         true = moment.ranges
         if true is None:
             raise ValueError("a range finder was handed no ranges")
-        noise, chance = np.empty_like(true), np.empty_like(true)
-        for random, noise_row, chance_row in zip(picked(self._randoms, moment.members), noise, chance):
-            random.standard_normal(out=noise_row)
-            random.random(out=chance_row)
+        drawn, chance = self._normal.take(moment.members), self._uniform.take(moment.members)
         # Noise of a finite range, for infinity times a noise of nothing is no number. In place, for making arrays takes
         # longer than filling them.
         measured = np.minimum(true, self._max_range)
         measured *= self._noise_per_metre
         measured += self._noise
-        measured *= noise
+        measured *= drawn
         measured += true
         lost = chance < self._dropout
         lost |= measured > self._max_range
