@@ -84,14 +84,14 @@ def test_a_robot_takes_what_it_is_best_at_after_the_shortest_delay() -> None:
 
 
 def test_what_another_is_better_at_waits_for_boredom() -> None:
-    """r1 has dug; idle since 3.0 s, bored 6 s later. 40 s of 10 to 40 s is the longest delay: 6 s, 20 cycles at 1.5."""
+    """r1 has dug; idle since 3.0 s. It needs 40 s for what r2 does in 10 s, so it waits 30 s; r2 might come free."""
     one = agent(KNOWN)
     run(one, 1.0, 3.0)
     step(one, 3.0, reports=[TaskReport("dig", Progress.DONE, "", "r1")])
-    waiting = run(one, 3.2, 9.0)
+    waiting = run(one, 3.2, 33.0)
     assert motivations(waiting)["fill"]["motivation"] == 0.0
-    assert motivations(step(one, 9.0))["fill"]["motivation"] > 0.0
-    assert run(one, 9.2, 14.0).task == "fill"
+    assert motivations(step(one, 33.0))["fill"]["motivation"] > 0.0
+    assert run(one, 33.2, 38.0).task == "fill"
 
 
 def test_a_rival_that_fell_silent_on_a_task_is_waited_for_no_longer() -> None:

@@ -17,6 +17,7 @@ from mrta_l_alliance.equations import (
     is_bored,
     learned_influence,
     task_time,
+    waiting_time,
 )
 
 SECONDS = st.floats(0.1, 1e4)
@@ -101,6 +102,17 @@ def test_motivation_reaches_the_threshold_in_the_time_asked_for() -> None:
 
 def test_a_robot_gives_up_after_some_task_times() -> None:
     assert giving_up_delay(25.0, 3.0) == 75.0
+
+
+@pytest.mark.parametrize(
+    ("own", "others", "expected"),
+    [(40.0, [10.0, 15.0], 30.0), (40.0, [38.0], 6.0), (None, [10.0], 6.0), (40.0, [], 6.0)],
+    ids=["what the quickest would save", "at least the delay", "its own time unknown", "nobody else known"],
+)
+def test_a_robot_waits_for_a_quicker_one_while_that_may_pay(
+    own: Optional[float], others: List[float], expected: float
+) -> None:
+    assert waiting_time(6.0, own, others) == expected
 
 
 def test_a_robot_is_bored_once_it_has_been_idle_long_enough() -> None:

@@ -65,6 +65,7 @@ class LAllianceAgent:
         self._strangers: List[str] = []
         self._outlook = self._look_out()
         self._kinds: Mapping[str, Category] = {}
+        self._waits: Mapping[str, float] = {}
         self._tuned_for: Optional[Tuple[Memory, FrozenSet[str], Tuple[str, ...]]] = None
         self._told_memory: Optional[Memory] = None
         self._task: Optional[str] = None
@@ -175,6 +176,7 @@ class LAllianceAgent:
             }
         else:
             self._kinds = {task: self._outlook.category(task) for task in open_tasks}
+            self._waits = {task: self._outlook.waiting_time(task) for task in open_tasks}
             chosen = self._tuning.adapted(told, self._outlook)
         present = self._alliance.behaviour_sets
         for task, parameters in chosen.items():
@@ -183,13 +185,15 @@ class LAllianceAgent:
 
     def _influenced(self, situation: Situation, ordered: AbstractSet[str]) -> Mapping[str, bool]:
         """Give what is applicable with the learned influence; what the robot is on or ordered to stays so."""
-        bored = self._idle_since is not None and equations.is_bored(
-            self._idle_since, situation.now, self._told.boredom_delay
-        )
+        idle_since, now = self._idle_since, situation.now
         held = [
             task
             for task, kind in self._kinds.items()
-            if not equations.learned_influence(kind, bored) and task != self._task and task not in ordered
+            if not equations.learned_influence(
+                kind, idle_since is not None and equations.is_bored(idle_since, now, self._waits[task])
+            )
+            and task != self._task
+            and task not in ordered
         ]
         return {**situation.applicable, **dict.fromkeys(held, False)} if held else situation.applicable
 

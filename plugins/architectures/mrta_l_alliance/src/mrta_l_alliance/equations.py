@@ -37,6 +37,7 @@ __all__ = [
     "is_bored",
     "learned_influence",
     "task_time",
+    "waiting_time",
 ]
 
 
@@ -162,6 +163,24 @@ def giving_up_delay(own: float, factor: float) -> float:
     return factor * own
 
 
+def waiting_time(boredom_delay: float, own: Optional[float], others: Iterable[float]) -> float:
+    """Give how long a robot must be idle to be bored of waiting for a task that others are better at.
+
+        max(boredom_delay, task_time_i(i, j, t) - min over k of task_time_i(k, j, t))
+
+    Differs from the paper: there boredom is the same for all tasks. But a quicker robot that comes free within the
+    difference of their times is done before this one would have been, had it not waited at all; so it pays to wait
+    as long as that, and no longer, when nobody knows when the other comes free.
+
+    Args:
+        boredom_delay: the paper's, for tasks at which the difference is smaller [s].
+        own: task_time_i(i, j, t); None if unknown [s].
+        others: task_time_i(k, j, t) of the robots present of which it is known [s].
+    """
+    quickest = min(others, default=None)
+    return boredom_delay if own is None or quickest is None else max(boredom_delay, own - quickest)
+
+
 def is_bored(idle_since: float, now: float, boredom_delay: float) -> bool:
     """Judge whether a robot has been idle for so long that it takes what others are better at (boredom).
 
@@ -171,7 +190,7 @@ def is_bored(idle_since: float, now: float, boredom_delay: float) -> bool:
     Args:
         idle_since: since when it has had no active behaviour set [s].
         now: the time [s].
-        boredom_delay: how long it stands that [s].
+        boredom_delay: how long it stands that, see ``waiting_time`` [s].
     """
     return now - idle_since >= boredom_delay - 1e-6
 

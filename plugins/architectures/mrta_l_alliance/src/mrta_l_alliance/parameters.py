@@ -39,7 +39,7 @@ class LearningParameters:
         least_spread: the share of the mean that a deviation is taken for at least [1].
         min_delay: how long an idle robot waits at least before it takes up a free task [s].
         max_delay: how long at most, were it not for boredom [s].
-        boredom_delay: how long a robot is idle before it takes up what others present are better at [s].
+        boredom_delay: how long a robot is idle at least before it takes up what others present are better at [s].
         giving_up_factor: lambda in task times, above 1 [1].
         memory: what was learned before.
     """
@@ -47,7 +47,7 @@ class LearningParameters:
     phase: Phase = Phase.ADAPTIVE
     window: int = 5
     deviations: float = 1.0
-    least_spread: float = 0.25
+    least_spread: float = 0.5
     min_delay: float = 1.0
     max_delay: float = 6.0
     boredom_delay: float = 6.0

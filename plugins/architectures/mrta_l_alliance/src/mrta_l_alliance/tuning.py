@@ -62,6 +62,10 @@ class Outlook:
         first = all(self._place(robot) > place for robot, time in others.items() if time == own)
         return equations.category(own, others.values(), wins_ties=first)
 
+    def waiting_time(self, task: str) -> float:
+        """Give how long the robot must be idle to take a task that others are better at [s]."""
+        return equations.waiting_time(self._told.boredom_delay, self.own_time(task), self.others_times(task).values())
+
     def _place(self, robot: str) -> int:
         return self._places.get(robot, len(self._places))
 
