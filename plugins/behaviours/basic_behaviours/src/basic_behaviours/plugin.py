@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Mapping
 
 from basic_behaviours.avoid import Avoid
+from basic_behaviours.collect import Collect
 from basic_behaviours.evaluators import AllSensorsFresh
 from basic_behaviours.follow_border import FollowBorder
 from basic_behaviours.go_to_place import GoToPlace
@@ -20,6 +21,7 @@ def mrta_register_behaviours() -> Mapping[str, BehaviourFactory]:
     """Name the behaviours."""
     return {
         "avoid": Avoid,
+        "collect": Collect,
         "follow_border": FollowBorder,
         "go_to_place": GoToPlace,
         "report": Report,

@@ -6,7 +6,7 @@ Directions and bearings are relative to the robot's heading, counter-clockwise [
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Dict, Optional, Tuple
+from typing import TYPE_CHECKING, Dict, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from rqt_mrta_py.hooks import Heard, Perception, Subscription
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["FAR", "SCAN", "Sight", "SightReader"]
+__all__ = ["FAR", "SCAN", "Disc", "Sight", "SightReader"]
 
 SCAN = Subscription(
     "scan",
@@ -45,6 +45,20 @@ class _Rays:
         self.limits = sorted((angle_min, angle_min + angle_increment * (count - 1)))
 
 
+class Disc(NamedTuple):
+    """Something on the floor, as seen from the robot.
+
+    Attributes:
+        x: of its centre, ahead of the robot's [m].
+        y: of the same, to the left [m].
+        radius: [m].
+    """
+
+    x: float
+    y: float
+    radius: float
+
+
 class Sight:
     """One scan, made ready to steer by.
 
@@ -66,6 +80,24 @@ class Sight:
     def all_around(self) -> bool:
         """True if the rays leave no gap, behind the robot neither."""
         return self._rays.all_around
+
+    def with_discs(self, discs: Sequence[Disc]) -> Sight:
+        """Give the same sight with discs on the floor in it, which are too low for the range finder perhaps."""
+        ranges = self.ranges.copy()
+        for disc in discs:
+            distance = math.hypot(disc.x, disc.y)
+            apart = np.abs(np.remainder(self.bearings - math.atan2(disc.y, disc.x) + np.pi, 2.0 * np.pi) - np.pi)
+            half = math.asin(min(1.0, disc.radius / max(distance, 1e-9)))
+            # Its nearest point lies on the ray next to its centre, should it be too small to be met by one.
+            met = (apart <= half) | (apart <= apart.min())
+            ranges[met] = np.minimum(ranges[met], max(distance - disc.radius, 0.01))
+        return Sight(self._rays, ranges)
+
+    def without_disc(self, disc: Disc) -> Sight:
+        """Give the same sight as if what was met within a disc were not there, nor anything behind it."""
+        xs, ys = self.ranges * np.cos(self.bearings), self.ranges * np.sin(self.bearings)
+        within = (xs - disc.x) ** 2 + (ys - disc.y) ** 2 <= disc.radius**2
+        return Sight(self._rays, np.where(within, FAR, self.ranges))
 
     def within(self, direction: float) -> float:
         """Bring a direction to the nearest one that is seen [rad]."""
