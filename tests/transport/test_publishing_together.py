@@ -70,8 +70,8 @@ def test_rows_are_carried_as_if_each_node_had_published_its_own(team: Team) -> N
     assert [len(batch) for batch in team.told] == [2, 1, 2, 1]
 
 
-def test_numbers_that_most_ask_for_are_heard_as_each_would_have_read_them(team: Team) -> None:
-    """A scan asks for what columns say, for what they do not say, and for nothing."""
+def test_fields_are_heard_as_if_each_node_had_published_its_own(team: Team) -> None:
+    """Those that columns say, those that they do not say, and none."""
     alone = Team()
     heard: Dict[str, List[Any]] = {"together": [], "alone": []}
     for each, into in ((team, heard["together"]), (alone, heard["alone"])):

@@ -8,19 +8,7 @@ answer what to say (``Outgoing``). Stamps in the stream are integer nanoseconds,
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import (
-    TYPE_CHECKING,
-    Any,
-    Callable,
-    Dict,
-    Mapping,
-    NamedTuple,
-    Optional,
-    Protocol,
-    Sequence,
-    Tuple,
-    Union,
-)
+from typing import TYPE_CHECKING, Any, Callable, Dict, Mapping, NamedTuple, Protocol, Sequence, Tuple, Union
 
 if TYPE_CHECKING:
     import numpy as np
@@ -205,30 +193,17 @@ FieldReader = Callable[[bytes], Tuple[Any, ...]]
 """From a message's bytes to the values of the compiled paths, in their order."""
 
 
-class Page(Protocol):
-    """Messages of one type, one after the other, as they were serialised column by column."""
+class Page(NamedTuple):
+    """Messages of one type, one after the other, as they were serialised column by column.
 
-    @property
-    def content(self) -> bytes:
-        """Their bytes."""
-        ...
+    Attributes:
+        content: their bytes.
+        runs: where one ends and the next begins, in order: of neighbours that are equally long, how many they are and
+            the size of each [bytes].
+    """
 
-    @property
-    def runs(self) -> Sequence[Tuple[int, int]]:
-        """Neighbours that are equally long: how many, and the size of each [bytes]. They cover the content."""
-        ...
-
-    def read(self, paths: Tuple[str, ...]) -> Optional[Sequence[Mapping[str, Any]]]:
-        """Read fields of all messages in one go, where that is possible.
-
-        Args:
-            paths: joined by ``/``, which ``Codec.compile`` accepts.
-
-        Returns:
-            Of each message its values by path, as the function that ``Codec.compile`` gives for these paths reads
-            them; None where they have to be read one by one.
-        """
-        ...
+    content: bytes
+    runs: Sequence[Tuple[int, int]]
 
 
 class Codec(Protocol):

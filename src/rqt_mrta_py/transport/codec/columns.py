@@ -12,10 +12,10 @@ from typing import Any, Dict, List, Mapping, Sequence, Tuple
 import numpy as np
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Column
+from rqt_mrta_py.hooks import Column, Page
 from rqt_mrta_py.transport.codec.definitions import Definition
 from rqt_mrta_py.transport.codec.encoder_text import Encoder
-from rqt_mrta_py.transport.codec.sheets import Sheet, SheetPage
+from rqt_mrta_py.transport.codec.sheets import Sheet
 from rqt_mrta_py.wording import shown
 
 __all__ = ["ColumnEncoder"]
@@ -45,7 +45,7 @@ class ColumnEncoder:
         self._encode = encode
         self._sheets: Dict[Tuple[Any, ...], Sheet] = {}
 
-    def write(self, columns: Mapping[str, Column], count: int) -> SheetPage:
+    def write(self, columns: Mapping[str, Column], count: int) -> Page:
         """Serialise messages; see ``hooks.Codec``."""
         key = (count, *[_form(path, column) for path, column in columns.items()])
         try:
@@ -57,12 +57,12 @@ class ColumnEncoder:
             pass
         raws = self._write_each(columns, count)
         if not raws:
-            return SheetPage(None, b"", ())
+            return Page(b"", ())
         if len(self._sheets) >= _MOST_SHEETS:
             self._sheets.clear()
         sheet = Sheet(self._definition, nest({path: path for path in columns}), columns, raws)
         self._sheets[key] = sheet
-        return sheet.page()
+        return Page(b"".join(raws), sheet.runs)
 
     def _write_each(self, columns: Mapping[str, Column], count: int) -> List[bytes]:
         name = self._definition.type

@@ -8,15 +8,12 @@ from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Seq
 import numpy as np
 from numpy.typing import NDArray
 
-from rqt_mrta_py.hooks import Column
+from rqt_mrta_py.hooks import Column, Page
 from rqt_mrta_py.transport.codec.column_parts import part_types, parts_of_column, parts_of_number
 from rqt_mrta_py.transport.codec.definitions import Definition, Field
 from rqt_mrta_py.transport.codec.wire import Sizes
 
-__all__ = ["Sheet", "SheetPage"]
-
-_PLAIN = frozenset(("int16", "uint16", "int32", "uint32", "int64", "uint64", "float32", "float64"))
-"""Types whose values are on the wire what a reader gives; the others are a byte, or two words."""
+__all__ = ["Sheet"]
 
 _View = Tuple[slice, "NDArray[Any]"]
 """Rows of the sheet, and the bytes of one part of a value in them."""
@@ -47,6 +44,9 @@ class Sheet:
 
     Messages whose texts have the same lengths have the same layout; their values lie at equal distances.
 
+    Attributes:
+        runs: as in Page, of all pages that are written on the sheet.
+
     Args:
         definition: of their type.
         tree: the columns' paths, nested as the fields are.
@@ -64,8 +64,7 @@ class Sheet:
             layouts.setdefault(tuple(lengths[row] for lengths in known.values()), []).append(row)
         order = [row for rows in layouts.values() for row in rows]
         self._order = None if order == list(range(len(raws))) else np.array(order)
-        self._runs = [(len(list(run)), size) for size, run in groupby(map(len, raws))]
-        self._content = b"".join(raws)
+        self.runs = [(len(list(run)), size) for size, run in groupby(map(len, raws))]
         self._buffer = bytearray(b"".join([raws[row] for row in order]))
         self._cuts: List[Tuple[int, int]] = [(0, 0)] * len(raws)
         self._slots: Dict[str, _Slot] = {}
@@ -79,11 +78,7 @@ class Sheet:
                 self._add(place, slice(first, first + len(rows)), start, size)
             first, start = first + len(rows), start + len(rows) * size
 
-    def page(self) -> SheetPage:
-        """Give the messages as they were written last."""
-        return SheetPage(self, self._content, self._runs)
-
-    def write(self, columns: Mapping[str, Column]) -> SheetPage:
+    def write(self, columns: Mapping[str, Column]) -> Page:
         """Serialise messages of this form.
 
         Args:
@@ -92,7 +87,6 @@ class Sheet:
         Raises:
             ArithmeticError, TypeError, ValueError, struct.error: a number does not fit.
         """
-        self._content = b""
         for path, slot in self._slots.items():
             column = columns[path]
             if isinstance(column, np.ndarray):
@@ -105,34 +99,10 @@ class Sheet:
                     for _, view in views:
                         view[...] = word
                 slot.last = column
-        written = bytes(self._buffer)
+        content = bytes(self._buffer)
         if self._order is not None:
-            written = b"".join([written[start:end] for start, end in self._cuts])
-        self._content = written
-        return self.page()
-
-    def read(self, page: SheetPage, paths: Tuple[str, ...]) -> Optional[List[Dict[str, Any]]]:
-        """Read fields of all messages.
-
-        Args:
-            page: that was written on this sheet.
-            paths: of the fields.
-
-        Returns:
-            Of each message its values by path; None if another page has been written since, if the messages lie in
-            another order on the sheet, or if these are not numbers that it has.
-        """
-        if page.content is not self._content or self._order is not None or not paths:
-            return None
-        columns: List[List[Any]] = []
-        for path in paths:
-            slot = self._slots.get(path)
-            if slot is None or slot.type not in _PLAIN:
-                return None
-            columns.append([value for _, view in slot.views[0] for value in view.tolist()])
-        if len(paths) == 1:
-            return [{paths[0]: value} for value in columns[0]]
-        return [dict(zip(paths, values)) for values in zip(*columns)]
+            content = b"".join([content[start:end] for start, end in self._cuts])
+        return Page(content, self.runs)
 
     def _add(self, place: _Place, rows: slice, start: int, size: int) -> None:
         slot = self._slots.get(place.path)
@@ -146,31 +116,6 @@ class Sheet:
             shape, strides = ((count,), (size,)) if place.width is None else ((count, place.width), (size, element))
             views.append((rows, np.ndarray(shape, part, self._buffer, offset, strides)))
             offset += part.itemsize
-
-
-class SheetPage:
-    """Messages as they were written on a sheet; implements ``hooks.Page``.
-
-    Attributes:
-        content: their bytes.
-        runs: where one message ends and the next begins.
-
-    Args:
-        sheet: that they were written on; None if there are none.
-        content: see above.
-        runs: see above.
-    """
-
-    __slots__ = ("_sheet", "content", "runs")
-
-    def __init__(self, sheet: Optional[Sheet], content: bytes, runs: Sequence[Tuple[int, int]]) -> None:
-        self._sheet = sheet
-        self.content = content
-        self.runs = runs
-
-    def read(self, paths: Tuple[str, ...]) -> Optional[List[Dict[str, Any]]]:
-        """Read fields of all messages in one go; see ``hooks.Page``."""
-        return None if self._sheet is None else self._sheet.read(self, paths)
 
 
 class _Walk:

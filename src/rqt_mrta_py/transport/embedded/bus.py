@@ -224,13 +224,12 @@ class Bus:
         if self._taps:
             self._tell(batch)
         if choir.lines:
-            raws, reads = batch.raws, choir.read(page)
-            for row, connection, sender, robot, inbox, hearings in choir.lines:
-                message: Message = (connection, ordinals[row], raws[row], reads[row])
+            messages: List[Message] = [(*message, {}) for message in zip(choir.connections, ordinals, batch.raws)]
+            for row, sender, robot, inbox, hearings in choir.lines:
                 if robot == sender:
-                    inbox.arrived.append((now, message, hearings))
+                    inbox.arrived.append((now, messages[row], hearings))
                 else:
-                    self._send(sender, robot, inbox, message, hearings)
+                    self._send(sender, robot, inbox, messages[row], hearings)
 
     def subscribe(self, ear: Ear) -> None:
         """Let a new subscription hear; latched messages set out for it. Nodes call this."""

@@ -1,15 +1,14 @@
-"""Nodes that publish together: their messages are counted, serialised and read beforehand as a whole."""
+"""Nodes that publish together: their messages are counted and serialised as a whole."""
 
 from __future__ import annotations
 
-from collections import Counter
 from typing import List, Mapping, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Codec, Column, Connection, Page
-from rqt_mrta_py.transport.embedded.inbox import Hearing, Inbox, Read
+from rqt_mrta_py.hooks import Codec, Column, Page
+from rqt_mrta_py.transport.embedded.inbox import Hearing, Inbox
 from rqt_mrta_py.transport.embedded.publisher import Publisher
 from rqt_mrta_py.transport.embedded.wiring import Wiring
 
@@ -21,7 +20,6 @@ class Line(NamedTuple):
 
     Attributes:
         row: of the publisher.
-        connection: of the publisher.
         sender: id of the robot that publishes; empty if none.
         robot: id of the robot that hears; empty if none.
         inbox: of who hears.
@@ -29,7 +27,6 @@ class Line(NamedTuple):
     """
 
     row: int
-    connection: Connection
     sender: str
     robot: str
     inbox: Inbox
@@ -49,7 +46,7 @@ class Choir:
         publishers: at least one, each once.
     """
 
-    __slots__ = ("_asked", "_ordinals", "connections", "lines", "publishers", "version")
+    __slots__ = ("_ordinals", "connections", "lines", "publishers", "version")
 
     def __init__(self, publishers: Sequence[Publisher]) -> None:
         self.publishers = tuple(publishers)
@@ -57,20 +54,14 @@ class Choir:
         self.lines: Sequence[Line] = ()
         self.version = -1
         self._ordinals = [publisher.ordinals for publisher in publishers]
-        self._asked: Sequence[Tuple[str, ...]] = ()
 
     def look_around(self, wiring: Wiring) -> None:
         """Find out anew who hears."""
         lines: List[Line] = []
-        asked: Counter[Tuple[str, ...]] = Counter()
         for row, publisher in enumerate(self.publishers):
             publisher.look_around(wiring)
-            ends = (row, publisher.connection, publisher.robot)
-            lines.extend(Line(*ends, *receiver) for receiver in publisher.receivers)
-            asked.update({hearing.paths for receiver in publisher.receivers for hearing in receiver.hearings})
+            lines.extend(Line(row, publisher.robot, *receiver) for receiver in publisher.receivers)
         self.lines = lines
-        # What few of them are asked for is read where it is heard.
-        self._asked = [paths for paths, rows in asked.items() if paths and 2 * rows > len(self.publishers)]
         self.version = wiring.version
 
     def count(self) -> List[int]:
@@ -105,20 +96,6 @@ class Choir:
                 except IndexError:
                     break
             raise first.named(error) from error
-
-    def read(self, page: Page) -> List[Read]:
-        """Read beforehand what most of those who hear will ask for.
-
-        Args:
-            page: the latest messages.
-        """
-        reads: List[Read] = [{} for _ in self.publishers]
-        for paths in self._asked:
-            rows = page.read(paths)
-            if rows is not None:
-                for read, fields in zip(reads, rows):
-                    read[paths] = fields
-        return reads
 
 
 def _row_of(column: Column, row: int) -> Column:
