@@ -68,6 +68,7 @@ from rqt_mrta_py.hooks.navigator import CostField, Navigator, PlannerFactory, Pl
 from rqt_mrta_py.hooks.observer import MessageObserverFactory, ObserverSetup
 from rqt_mrta_py.hooks.parameters import ParameterProblem
 from rqt_mrta_py.hooks.picture import (
+    BodySight,
     Curve,
     CurveGroup,
     CurvePanel,
@@ -136,6 +137,7 @@ __all__ = [
     "BenchmarkReport",
     "BenchmarkTable",
     "Body",
+    "BodySight",
     "BodyState",
     "Chart",
     "Codec",

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = [
+    "BodySight",
     "Curve",
     "CurveGroup",
     "CurvePanel",
@@ -116,6 +117,27 @@ class RobotSight:
 
 
 @dataclass(frozen=True)
+class BodySight:
+    """A loose body as the scene knows it.
+
+    Attributes:
+        id: its own.
+        kind: what it is, as those who look for it call it.
+        x: of its centre, in the frame ``map`` [m].
+        y: of the same [m].
+        width: of a square that is about as large, seen from above [m].
+        held: True while a robot at work holds it.
+    """
+
+    id: str
+    kind: str
+    x: float
+    y: float
+    width: float
+    held: bool = False
+
+
+@dataclass(frozen=True)
 class ScenarioLabel:
     """Something that a scenario made happen on purpose, told for people: pictures show it, rules never see it.
 
@@ -145,6 +167,7 @@ class SceneView:
         robots: in the mission's order.
         tasks: the mission's tasks that are there, for their places; those that appeared later come last.
         labels: what the scenario made happen so far, oldest first.
+        bodies: loose ones, sorted by id.
     """
 
     arena: Optional[Arena]
@@ -152,6 +175,7 @@ class SceneView:
     robots: Tuple[RobotSight, ...]
     tasks: Tuple[Task, ...]
     labels: Tuple[ScenarioLabel, ...] = ()
+    bodies: Tuple[BodySight, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -1,10 +1,10 @@
 """Pictures of a mission.
 
-* ``scene``, ``path``, ``frames``, ``happenings``: follow the stream to know where everything is and was, and what a
-  scenario made happen
-* ``monitor``: one moment; its parts are ``header``, ``floor``, ``arena``, ``crowd`` and ``trails``, ``team``,
-  ``tasks``, ``events``, ``timeline`` and ``marks``, ``curves`` and ``curve_axes``; ``page`` is what they are drawn
-  from, ``layers`` draw again only what looks different
+* ``scene``, ``path``, ``frames``, ``body_keeper``, ``happenings``: follow the stream to know where everything is and
+  was, and what a scenario made happen
+* ``monitor``: one moment; its parts are ``header``, ``floor``, ``arena``, ``bodies``, ``crowd`` and ``trails``,
+  ``team``, ``tasks``, ``events``, ``timeline`` and ``marks``, ``curves`` and ``curve_axes``; ``page`` is what they are
+  drawn from, ``layers`` draw again only what looks different
 * ``dashboard``: the whole; its parts are in ``charts``
 * ``figures``: charts that missions and benchmarks leave
 * ``layout``, ``canvas``, ``text``, ``labels``, ``signs``, ``stamps``, ``palette``, ``times``, ``spells``,

@@ -1,4 +1,4 @@
-"""What is in the arena now: allocations, task places, robots, and their names."""
+"""What is in the arena now: allocations, task places, loose bodies, robots, and names."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Dict, FrozenSet, List, Mapping, NamedTuple, Se
 
 import numpy as np
 
-from rqt_mrta_py.hooks import RobotSight
+from rqt_mrta_py.hooks import BodySight, RobotSight
 from rqt_mrta_py.model import Arena, RobotState, Task
+from rqt_mrta_py.render.bodies import draw_bodies, place_bodies
 from rqt_mrta_py.render.canvas import Box, Canvas, Point, Points, label_size
 from rqt_mrta_py.render.crowd import PlacedTeam, place_team, print_crowd, size_among
 from rqt_mrta_py.render.floor import ArenaMap, somewhere, without_places
@@ -63,6 +64,7 @@ class _Arena(NamedTuple):
         conditions: what a scenario wants to be the matter, by robot.
         named: who is named, if there are more than a few.
         trails: of a few robots, since the last whole second.
+        bodies: loose ones.
         empty: True if nothing is known of where anything is.
     """
 
@@ -75,11 +77,12 @@ class _Arena(NamedTuple):
     conditions: Mapping[str, Condition]
     named: Named
     trails: Tuple[Stroke, ...]
+    bodies: Tuple[BodySight, ...]
     empty: bool
 
 
 def arena_part(page: Page, place: ArenaMap, named: Named, trails: Tuple[Stroke, ...]) -> Part:
-    """Say what the arena shows: allocations, task places, robots and names.
+    """Say what the arena shows: allocations, task places, loose bodies, robots and names.
 
     Args:
         page: the mission.
@@ -98,6 +101,7 @@ def arena_part(page: Page, place: ArenaMap, named: Named, trails: Tuple[Stroke, 
         page.conditions,
         named,
         trails,
+        scene.bodies,
         without_places(scene),
     )
     return Part(place.box, content, draw_arena)
@@ -130,11 +134,14 @@ def draw_arena(whole: Canvas, arena: _Arena) -> Tuple[Box, ...]:
         held_by.setdefault(robot, []).append(arena.colours[task])
     _draw_allocations(arena, canvas, centres, tasks, crowd)
     _draw_tasks(arena.colours, canvas, tasks, task_size)
+    lying, carried = place_bodies(arena.bodies, place)
+    draw_bodies(canvas, lying)
     noses = []
     if crowd:
         print_crowd(canvas, team, arena.states, {robot: colours[-1] for robot, colours in held_by.items()})
     else:
         noses = _draw_robots(canvas, team, arena.states, held_by)
+    draw_bodies(canvas, carried)
     names = [
         _Name(task, point, task_size, mix(arena.colours[task], INK, 0.35))
         for task, point in tasks.items()
@@ -151,6 +158,7 @@ def draw_arena(whole: Canvas, arena: _Arena) -> Tuple[Box, ...]:
             _around(list(tasks.values()), task_size),
             _around(team.centres, team.radii[:, None] + 2.0),
             _around(noses, 3.0),
+            *(_around([body.centre], body.half) for body in (*lying, *carried)),
             _around(badges, BADGE_RADIUS),
         )
     )

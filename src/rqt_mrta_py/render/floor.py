@@ -76,6 +76,7 @@ def extent(scene: SceneView) -> Arena:
     points += [(robot.pose.x, robot.pose.y) for robot in scene.robots if robot.pose is not None]
     points += [(x, y) for robot in scene.robots for _, x, y in robot.trail]
     points += [(task.place.x, task.place.y) for task in scene.tasks if task.place is not None]
+    points += [(body.x, body.y) for body in scene.bodies]
     points = [point for point in points if abs(point[0]) < _FARTHEST_AWAY and abs(point[1]) < _FARTHEST_AWAY]
     if not points:
         return _UNKNOWN
@@ -106,7 +107,7 @@ def without_places(scene: SceneView) -> bool:
     if scene.arena is not None:
         return False
     seen = [robot.pose for robot in scene.robots] + [task.place for task in scene.tasks]
-    return all(place is None for place in seen)
+    return not scene.bodies and all(place is None for place in seen)
 
 
 def draw_floor(canvas: Canvas, place: ArenaMap, obstacles: Sequence[Obstacle]) -> None:

@@ -1,7 +1,8 @@
 """Colours, after Okabe and Ito, that people with any kind of colour vision tell apart.
 
-States have the colours of lights, tasks have all others: a task looks the same in the arena, in lists, on bars and
-as a curve. No colour stands alone: lights carry a sign, bars and lines a name.
+States have the colours of lights, loose bodies dull ones by their kinds, tasks have all others: a task looks the same
+in the arena, in lists, on bars and as a curve. No colour stands alone: lights carry a sign, bars and lines a name, and
+only bodies are boxes.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from rqt_mrta_py.model import RobotState, Severity, TaskState
 
 __all__ = [
     "ACCENT",
+    "BODY_COLOURS",
     "FAINT",
     "FRAME",
     "GRID",
@@ -94,6 +96,15 @@ TASK_COLOURS: Tuple[Colour, ...] = (
     (148, 138, 60),
     (16, 98, 98),
     (110, 76, 52),
+)
+
+# Dull, so that they are taken neither for a light nor for a task; the edges of boxes are of ink.
+BODY_COLOURS: Tuple[Colour, ...] = (
+    (166, 124, 82),
+    (196, 202, 150),
+    (120, 110, 150),
+    (222, 184, 166),
+    (96, 120, 104),
 )
 
 # Of a panel with more groups than any picture shows, the others' labels need no colour.

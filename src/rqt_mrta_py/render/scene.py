@@ -9,6 +9,7 @@ from rqt_mrta_py.config import read_task
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.hooks import Heard, RobotModel, RobotSight, SceneView, Subscription
 from rqt_mrta_py.model import Mission, Pose, Progress, Task, normalise_id
+from rqt_mrta_py.render.body_keeper import BodyKeeper
 from rqt_mrta_py.render.frames import FrameTree
 from rqt_mrta_py.render.happenings import LabelKeeper
 from rqt_mrta_py.render.path import PathKeeper
@@ -30,7 +31,7 @@ _SPACING, _FEW_ROBOTS = 0.05, 40
 
 
 class SceneTracker:
-    """Knows the arena, and from the stream where each robot is and was, which tasks there are, what was made happen.
+    """Knows the arena, and from the stream where robots and bodies are, which tasks there are, what was made happen.
 
     A Listener. Robots of the mission come first, in its order, then any other that tells its pose, by first sight. A
     robot that never tells a pose is placed by its transforms. Poses in another frame than ``map``, or not finite, are
@@ -59,6 +60,7 @@ class SceneTracker:
             any(normalise_id(sensor.topic) == "pose" for sensor in robot.sensors) for robot in scenario.robots
         )
         self._labels = LabelKeeper()
+        self._bodies = BodyKeeper(scenario)
         # What the newest view shows of the robots, while nothing newer is heard of them.
         self._sights: Optional[Tuple[RobotSight, ...]] = None
         self._seen_at = self._oldest = 0.0
@@ -67,12 +69,13 @@ class SceneTracker:
             _TRANSFORMS[0].type: self._hear_transforms,
             _PROGRESS.type: self._hear_progress,
             LabelKeeper.SUBSCRIPTION.type: self._labels.hear,
+            BodyKeeper.SUBSCRIPTION.type: self._bodies.hear,
         }
 
     def subscriptions(self) -> Sequence[Subscription]:
-        """Ask for poses, tasks' progress, scenario events; for transforms unless all simulated robots tell poses."""
+        """Ask for poses, progress, scenario events, bodies; for transforms unless all simulated robots tell poses."""
         transforms = _TRANSFORMS if self._transforms_matter else ()
-        return (_POSES, _PROGRESS, LabelKeeper.SUBSCRIPTION, *transforms)
+        return (_POSES, _PROGRESS, LabelKeeper.SUBSCRIPTION, BodyKeeper.SUBSCRIPTION, *transforms)
 
     def hear(self, heard: Heard) -> None:
         """Take in one message.
@@ -90,7 +93,8 @@ class SceneTracker:
             whole: give whole paths, thinned, rather than the trails of the last seconds.
         """
         robots = tuple([track.whole_sight() for track in self._tracks.values()]) if whole else self._seen(now)
-        return SceneView(self._arena, self._obstacles, robots, tuple(self._tasks.values()), self._labels.labels())
+        tasks, bodies = tuple(self._tasks.values()), self._bodies.bodies()
+        return SceneView(self._arena, self._obstacles, robots, tasks, self._labels.labels(), bodies)
 
     def _seen(self, now: float) -> Tuple[RobotSight, ...]:
         """Give the robots with their recent trails; the same again until one is heard or a trail grows too old."""
