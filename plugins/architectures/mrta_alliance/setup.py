@@ -3,4 +3,4 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=["mrta_alliance"], package_dir={"": "src"}))
+setup(**generate_distutils_setup(packages=["mrta_alliance", "mrta_alliance.experiments"], package_dir={"": "src"}))

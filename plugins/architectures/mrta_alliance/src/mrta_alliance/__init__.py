@@ -13,6 +13,7 @@
 * ``inner_life``: what goes on in behaviour sets, as it is heard; ``traces``: how it is kept
 * ``figures``: charts of it, drawn at the end; ``file_names``: made of ids
 * ``plots``: definitions of plots for ``multiplot`` and ``plot_juggler``; ``xml_text``: how they are written
+* ``experiments``: what ``mrta bench alliance`` measures
 * ``plugin``: the hooks
 """
 

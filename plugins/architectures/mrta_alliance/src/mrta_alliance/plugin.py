@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from argparse import ArgumentParser, Namespace
 from typing import Any, Mapping, Sequence
 
 from mrta_alliance.agent import AllianceAgent
@@ -15,8 +16,11 @@ from mrta_alliance.sensors import AnyMessage, Scan
 from rqt_mrta_py.hooks import (
     AgentFactory,
     AllocationInterpreterFactory,
+    Benchmark,
+    BenchmarkReport,
     ExporterFactory,
     FigureMakerFactory,
+    Laboratory,
     MonitorPanelFactory,
     ParameterProblem,
     RobotSensorFactory,
@@ -28,6 +32,7 @@ __all__ = [
     "mrta_check_parameters",
     "mrta_register_agents",
     "mrta_register_allocation_interpreters",
+    "mrta_register_benchmarks",
     "mrta_register_exporters",
     "mrta_register_figures",
     "mrta_register_monitor_panels",
@@ -74,8 +79,26 @@ def mrta_register_robot_sensors() -> Mapping[str, RobotSensorFactory]:
 
 
 @hookimpl
+def mrta_register_benchmarks() -> Mapping[str, Benchmark]:
+    """Name the experiments."""
+    return {"alliance": Benchmark("ALLIANCE under loss and learning, over many seeds", _bench_arguments, _bench)}
+
+
+@hookimpl
 def mrta_check_parameters(
     architecture: str, parameters: Mapping[str, Any], tasks: Sequence[Task]
 ) -> Sequence[ParameterProblem]:
     """Find what the equations cannot work with."""
     return find_problems(parameters, [task.id for task in tasks]) if architecture == _ARCHITECTURE else ()
+
+
+def _bench_arguments(parser: ArgumentParser) -> None:
+    from mrta_alliance.experiments.benchmark import add_arguments
+
+    add_arguments(parser)
+
+
+def _bench(options: Namespace, laboratory: Laboratory) -> BenchmarkReport:
+    from mrta_alliance.experiments.benchmark import measure
+
+    return measure(options, laboratory)

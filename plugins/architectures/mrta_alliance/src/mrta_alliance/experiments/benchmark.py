@@ -1,0 +1,101 @@
+"""The benchmark ``alliance``: its parts, what it takes, and the report that parts make together."""
+
+from __future__ import annotations
+
+import logging
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from typing import Dict, List, Tuple
+
+from mrta_alliance.experiments.completion import measure_completion
+from mrta_alliance.experiments.heterogeneous import measure_heterogeneous
+from mrta_alliance.experiments.learning import measure_learning
+from mrta_alliance.experiments.loss import measure_loss
+from mrta_alliance.experiments.part import Options, Part
+from mrta_alliance.experiments.shares import measure_shares
+from mrta_alliance.experiments.takeover import measure_takeover
+from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Figure, Laboratory
+
+__all__ = ["PARTS", "add_arguments", "measure", "options_of"]
+
+_log = logging.getLogger("mrta_alliance.experiments")
+
+PARTS: Dict[str, Part] = {
+    "completion": Part("missions with 0 to n-1 robots lost", measure_completion),
+    "takeover": Part("take-over of a lost robot's task, against tau and phi", measure_takeover),
+    "loss": Part("missions with 0 to 50 % of messages lost", measure_loss),
+    "heterogeneous": Part("teams of which some robots are slow", measure_heterogeneous),
+    "learning": Part("against L-ALLIANCE and simple ways to share tasks out", measure_learning),
+    "shares": Part("perpetual tasks' shares of the time", measure_shares),
+}
+"""All parts, by name, in the order of measuring."""
+
+_QUICK_SEEDS = 2
+_DEFAULTS = Options()
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Say what the benchmark takes."""
+    names = ",".join(PARTS)
+    parser.add_argument(
+        "--parts", metavar="P,...", type=_parts, default=tuple(PARTS), help=f"what to measure (default: {names})"
+    )
+    parser.add_argument("--seeds", metavar="N", type=_count, help="missions of each kind (default: 50; quick: 2)")
+    parser.add_argument(
+        "--application", metavar="A", default=_DEFAULTS.application, help="whose tasks end (default: %(default)s)"
+    )
+    parser.add_argument(
+        "--patrol", metavar="A", default=_DEFAULTS.patrol, help="whose tasks are perpetual (default: %(default)s)"
+    )
+    parser.add_argument("--world", metavar="W", default=_DEFAULTS.world, help="where (default: %(default)s)")
+    parser.add_argument(
+        "--duration", metavar="S", type=float, help="of missions whose tasks end, at most (default: the scenario's)"
+    )
+    parser.add_argument(
+        "--courses", metavar="N", type=_count, default=_DEFAULTS.courses, help="teams trained (default: %(default)s)"
+    )
+    parser.add_argument(
+        "--lessons", metavar="N", type=_count, help="missions each is trained in (default: 10; quick: 2)"
+    )
+    parser.add_argument("--quick", action="store_true", help="measure little of everything, to see that it works")
+
+
+def options_of(told: Namespace) -> Options:
+    """Read what the user asks for."""
+    few = _QUICK_SEEDS if told.quick else None
+    return Options(
+        seeds=told.seeds or few or _DEFAULTS.seeds,
+        application=told.application,
+        patrol=told.patrol,
+        world=told.world,
+        duration=told.duration,
+        courses=1 if told.quick else told.courses,
+        lessons=told.lessons or few or _DEFAULTS.lessons,
+        quick=told.quick,
+    )
+
+
+def measure(told: Namespace, laboratory: Laboratory) -> BenchmarkReport:
+    """Measure part after part."""
+    options = options_of(told)
+    tables: List[BenchmarkTable] = []
+    figures: List[Figure] = []
+    for name in told.parts:
+        _log.info("part=%s seeds=%d: %s", name, options.seeds, PARTS[name].help)
+        report = PARTS[name].measure(options, laboratory)
+        tables += report.tables
+        figures += report.figures
+    return BenchmarkReport(tuple(tables), tuple(figures))
+
+
+def _parts(text: str) -> Tuple[str, ...]:
+    names = tuple(name.strip() for name in text.split(","))
+    for name in names:
+        if name not in PARTS:
+            raise ArgumentTypeError(f"{name!r}: there is no such part; there are: {', '.join(PARTS)}")
+    return tuple(name for name in PARTS if name in names)
+
+
+def _count(text: str) -> int:
+    if not text.isdigit() or not int(text):
+        raise ArgumentTypeError(f"{text!r}: a whole number from 1 is expected")
+    return int(text)
