@@ -212,10 +212,12 @@ class Errand:
         if senses.holds != self._carried:
             self._carried, self._surprised = "", True
             return Phase.SEARCH
-        if self._slot is None or not self._zone.is_free(self._slot, self._findings.taken):
-            self._slot = self._zone.free_slot(self._findings.taken, pose)
-            self._set_out(self._slot, self._take.distance + _SLACK)
-            self._since = math.inf
+        slot = self._slot
+        if slot is None or not self._zone.is_free(slot, self._findings.taken):
+            slot = self._zone.free_slot(self._findings.taken, pose)
+        if slot != self._slot:
+            self._slot, self._since = slot, math.inf
+            self._set_out(slot, self._take.distance + _SLACK)
         state, twist, detail = self._journey.step(senses.now, pose, self._clear_sight(senses))
         if state is JourneyState.NO_WAY:
             self._drop_tries += 1
@@ -226,9 +228,9 @@ class Errand:
             return Phase.CARRY
         if state is JourneyState.UNDER_WAY:
             return _drive(twist, CLOSED)
-        bearing = pose.bearing(self._slot)
+        bearing = pose.bearing(slot)
         self._since = min(self._since, senses.now)
-        if pose.distance(self._slot) > _AIMED_BEYOND and abs(bearing) > _AIMED and senses.now - self._since < 4.0:
+        if pose.distance(slot) > _AIMED_BEYOND and abs(bearing) > _AIMED and senses.now - self._since < 4.0:
             limit = self._model.max_turn_rate
             return _drive(Twist(wz=min(max(_TURN_GAIN * bearing, -limit), limit)), CLOSED)
         return Phase.RELEASE
