@@ -1,9 +1,10 @@
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Tuple
 
 from rqt_mrta_py.config.editing.free_place import free_place
-from rqt_mrta_py.model import Arena, Obstacle, Pose, RobotSetup, ScenarioSpec
+from rqt_mrta_py.model import Arena, LooseBody, Obstacle, Pose, RobotSetup, ScenarioSpec
 
 
 def scenario(size: float, robots: Tuple[Tuple[float, float], ...] = (), *obstacles: Obstacle) -> ScenarioSpec:
@@ -20,6 +21,12 @@ def test_a_place_keeps_away_from_robots_obstacles_and_what_is_taken() -> None:
     assert free_place(scenario(4.0, ((1.0, 1.0), (3.0, 1.0), (1.0, 3.0)))) == (2.5, 2.5)
     crate = Obstacle("crate", Pose(3.0, 3.0, 0.0), (0.6, 0.8, 1.0))
     assert free_place(scenario(4.0, (), crate), [(1.0, 3.0), (3.0, 1.0)]) == (1.5, 1.5)
+
+
+def test_a_place_keeps_away_from_loose_bodies() -> None:
+    """One in the middle leaves the places a metre from it and from two walls; the first of them is taken."""
+    body = LooseBody("can", Pose(2.0, 2.0), (0.1, 0.1, 0.1))
+    assert free_place(replace(scenario(4.0), bodies=(body,))) == (1.0, 1.0)
 
 
 def test_a_full_arena_has_no_place() -> None:

@@ -21,14 +21,15 @@ def free_place(scenario: ScenarioSpec, taken: Sequence[Point] = ()) -> Optional[
     """Find the place with the most room around it.
 
     Args:
-        scenario: with arena, obstacles and the robots' starts.
+        scenario: with arena, obstacles, loose bodies and the robots' starts.
         taken: further places to keep away from, in the frame ``map`` [m].
 
     Returns:
         Its position in the frame ``map`` [m], the first by rows where several have as much room; None if there is
         no room of half a metre anywhere.
     """
-    points = [*((robot.start.x, robot.start.y) for robot in scenario.robots), *taken]
+    starts = [*(robot.start for robot in scenario.robots), *(body.pose for body in scenario.bodies)]
+    points = [*((start.x, start.y) for start in starts), *taken]
     best: Optional[Point] = None
     most = _CLEARANCE
     for x, y in _grid(scenario):
