@@ -112,6 +112,9 @@ class Part:
     def figures(self, record):
         return {answer}
 
+    def value(self, record):
+        return {answer}
+
     def sense(self, moment):
         return {answer}
 """
@@ -269,6 +272,23 @@ MISFITS = {
         plugin("statistics", "any", "", "lambda record: {1}"),
         "statistic any: its value is no plain JSON (Object of type set is not JSON serializable); accepted: finite "
         "numbers, texts, truth values, None, and lists and dicts of them",
+    ),
+    "measure, no JSON": (
+        plugin("measures", "any", LISTENER, answer="{1}"),
+        "measure any: its value is no plain JSON (Object of type set is not JSON serializable); accepted: finite "
+        "numbers, texts, truth values, None, and lists and dicts of them",
+    ),
+    "measure, none made": (
+        plugin("measures", "any", LISTENER, "lambda setup: None"),
+        "measure any: made None, which has no 'subscriptions'",
+    ),
+    "measure, no wish": (
+        plugin("measures", "any", LISTENER, wishes="['x']"),
+        "measure any: TypeError: wants to hear 'x'; a Subscription is needed",
+    ),
+    "measure that raises": (
+        plugin("measures", "any", LISTENER, answer="1 / 0", wishes=ODOM),
+        "measure any: ZeroDivisionError: division by zero",
     ),
     "panel, no view": (
         plugin("monitor_panels", PANEL_NAME, LISTENER),

@@ -33,12 +33,15 @@ from rqt_mrta_py.hooks import (
     Laboratory,
     Line,
     LinkSetup,
+    MeasureSetup,
     MonitorView,
     Outgoing,
     PanelSetup,
     ParameterProblem,
     Perception,
     PlannerSetup,
+    RobotSensor,
+    RobotSensorSetup,
     RuleSetup,
     SensorContext,
     SensorMoment,
@@ -77,16 +80,24 @@ class Agent:
         self.tasks = setup.tasks
         self.evaluators = {task.id: setup.evaluators["stranger/after_a_while"](task) for task in setup.tasks}
         self.allocator = setup.allocators["stranger/first_come"]
+        self.sensor: RobotSensor = setup.sensors["stranger/whiskers"](
+            RobotSensorSetup(setup.robot_id, "mileage", timeout=0.5, horizon=1.0)
+        )
 
     def subscriptions(self) -> Sequence[Subscription]:
-        return () if self.robot_id == "mole1" else [Subscription("/mole1/claim/dig", "std_msgs/String", ("data",))]
+        if self.robot_id == "mole1":
+            return [self.sensor.subscription()]
+        return [Subscription("/mole1/claim/dig", "std_msgs/String", ("data",))]
 
     def step(self, situation: Situation) -> Decision:
         if self.robot_id != "mole1":
             return Decision(None, [Outgoing("echo", "std_msgs/String", heard.fields) for heard in situation.heard])
+        for heard in situation.heard:
+            self.sensor.hear(heard)
         if situation.now >= 2.0:
             return Decision(None, [Outgoing("farewell/dig", "std_msgs/String", {"data": "too hard"})])
-        if not (situation.applicable["dig"] and self.evaluators["dig"].is_applicable(situation.now, ())):
+        readings = [self.sensor.read(situation.now)]
+        if not (situation.applicable["dig"] and self.evaluators["dig"].is_applicable(situation.now, readings)):
             return Decision(None)
         costs = np.array([[situation.cost(task.id) for task in self.tasks]], dtype=np.float64)
         ((task_id, _),) = self.allocator(AllocationProblem((self.robot_id,), self.tasks, costs))
@@ -99,7 +110,24 @@ class AfterAWhile:
         self.task = task
 
     def is_applicable(self, now: float, sensors: Sequence[SensorReading]) -> bool:
-        return now >= 1.5
+        return now >= 1.3 and sensors[0].up_to_date
+
+
+class Whiskers:
+    """Up to date once they have felt something six times."""
+
+    def __init__(self, setup: RobotSensorSetup) -> None:
+        self.topic = setup.topic
+        self.felt: List[Heard] = []
+
+    def subscription(self) -> Subscription:
+        return Subscription(self.topic, "std_msgs/Float64", ("data",))
+
+    def hear(self, heard: Heard) -> None:
+        self.felt.append(heard)
+
+    def read(self, now: float) -> SensorReading:
+        return SensorReading(self.topic, len(self.felt) >= 6, self.felt[-1] if self.felt else None)
 
 
 class Tunnels:
@@ -260,6 +288,23 @@ class Chronicle:
         return [Figure("mileage", self.title, "t [s]", (Chart((Line("mole1", times, values),), "mileage [m]"),))]
 
 
+class DearestClaim:
+    """What the dearest claim was, of how many, and how many were allocated."""
+
+    def __init__(self, setup: MeasureSetup) -> None:
+        self.name = setup.mission.application.name
+        self.claims: List[str] = []
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        return [Subscription(CLAIM.name, CLAIM.type, ("data",))]
+
+    def hear(self, heard: Heard) -> None:
+        self.claims.append(f"{heard.robot} {heard.fields['data']}")
+
+    def value(self, record: MissionRecord) -> Any:
+        return {self.name: max(self.claims), "of": len(self.claims), "allocated": len(record.allocations)}
+
+
 class Neighbour:
     """Overhears the mileage."""
 
@@ -313,6 +358,10 @@ class Stranger:
     @hookimpl
     def mrta_register_sensory_evaluators(self) -> Mapping[str, Any]:
         return {"stranger/after_a_while": AfterAWhile}
+
+    @hookimpl
+    def mrta_register_robot_sensors(self) -> Mapping[str, Any]:
+        return {"stranger/whiskers": Whiskers}
 
     @hookimpl
     def mrta_register_allocators(self) -> Mapping[str, Any]:
@@ -376,6 +425,10 @@ class Stranger:
     @hookimpl
     def mrta_register_statistics(self) -> Mapping[str, Any]:
         return {"gave_up": lambda record: sum(each.outcome is Outcome.GAVE_UP for each in record.allocations)}
+
+    @hookimpl
+    def mrta_register_measures(self) -> Mapping[str, Any]:
+        return {"dearest_claim": DearestClaim}
 
     @hookimpl
     def mrta_register_monitor_panels(self) -> Mapping[str, Any]:

@@ -111,6 +111,13 @@ def test_hook_mrta_register_sensory_evaluators_is_asked_by_the_agent(story: Stor
     assert claims[0].receipt_ns == 1_500_000_000
 
 
+def test_hook_mrta_register_robot_sensors_is_read_by_the_agent_for_its_evaluators(story: Story) -> None:
+    """The evaluator would let it begin at 1.3 s; the sixth mileage is said, and heard, at 1.5 s."""
+    felt = [each.receipt_ns for each in story.stream if each.connection.topic == "/mole1/mileage"]
+    claims = [each.receipt_ns for each in story.stream if each.connection.topic == "/mole1/claim/dig"]
+    assert (felt[5], claims[0]) == (1_500_000_000, 1_500_000_000)
+
+
 def test_hook_mrta_register_allocators_is_asked_by_the_agent_and_obeyed(story: Story) -> None:
     problems = story.stranger.problems
     assert [(each.robots, each.tasks, each.costs.tolist()) for each in problems] == [
@@ -158,7 +165,12 @@ def test_hook_mrta_register_incident_rules_puts_up_incidents(story: Story) -> No
 
 
 def test_hook_mrta_register_statistics_sums_the_mission_up(story: Story) -> None:
-    assert story.record.statistics == {"gave_up": 1}
+    assert story.record.statistics["gave_up"] == 1
+
+
+def test_hook_mrta_register_measures_sums_up_what_it_heard(story: Story) -> None:
+    measured = {"Garden": "mole1 3.0 m", "of": 5, "allocated": 1}
+    assert story.record.statistics == {"dearest_claim": measured, "gave_up": 1}
 
 
 def test_hook_mrta_register_monitor_panels_shows_in_the_pictures(story: Story) -> None:

@@ -132,6 +132,12 @@ def test_hook_mrta_register_sensory_evaluators(run: Run) -> None:
     assert [each["from"] for each in run.json("summary.json")["allocations"]] == [1.5, 1.5]
 
 
+def test_hook_mrta_register_robot_sensors(run: Run) -> None:
+    """The stranger's whiskers believe half of the mileage, 0.7 m in the end; the agent repeats what they read."""
+    assert run.trace("/mole1/felt")[:5] == [0.0] * 5
+    assert run.trace("/mole1/felt")[-1] == pytest.approx(0.35)
+
+
 def test_hook_mrta_register_behaviours(run: Run) -> None:
     """They stood still until they had a task, and again afterwards."""
     mileage = run.trace("/mole1/mileage")
@@ -180,6 +186,11 @@ def test_hook_mrta_register_incident_rules(run: Run) -> None:
 
 def test_hook_mrta_register_statistics(run: Run) -> None:
     assert run.json("summary.json")["statistics"]["gave_up"] == 2
+
+
+def test_hook_mrta_register_measures(run: Run) -> None:
+    """Each of two moles dug for 1 s at 0.7 m/s."""
+    assert run.json("summary.json")["statistics"]["mileage"] == {"mole1": 0.7, "mole2": 0.7, "each": 0.7}
 
 
 def test_hook_mrta_register_renderers(run: Run) -> None:

@@ -69,6 +69,7 @@ def test_rospack_finds_every_package(space: Space) -> None:
                 "mrta_baselines",
                 "mrta_l_alliance",
                 "nearest_robot",
+                "team_measures",
             },
         ),
     ],

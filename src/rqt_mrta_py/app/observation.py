@@ -1,15 +1,16 @@
 """Everything that is derived from a stream, wired once for runs, reviews and live supervision alike.
 
-Supervisor, scene and panels hear the stream through one dispatcher and know nothing of its source; so reviewing the
-bag of a run gives what the run itself reported.
+Supervisor, scene, panels and measures hear the stream through one dispatcher and know nothing of its source; so
+reviewing the bag of a run gives what the run itself reported.
 """
 
 from __future__ import annotations
 
+import dataclasses
 import logging
 from typing import Dict, List, Mapping, Optional, Sequence
 
-from rqt_mrta_py.app.guard import GuardedPanel, made
+from rqt_mrta_py.app.guard import GuardedMeasure, GuardedPanel, made
 from rqt_mrta_py.app.observers import observers_of
 from rqt_mrta_py.hooks import (
     AllocationInterpreter,
@@ -17,6 +18,8 @@ from rqt_mrta_py.hooks import (
     Codec,
     InterpreterSetup,
     Listener,
+    MeasureFactory,
+    MeasureSetup,
     MonitorPanelFactory,
     MonitorView,
     Outgoing,
@@ -55,7 +58,7 @@ class Observation:
         duration: Optional[float],
         further: Sequence[Listener] = (),
     ) -> None:
-        """Wire supervisor, scene, panels and observers.
+        """Wire supervisor, scene, panels, measures and observers.
 
         Args:
             mission: as far as it is known.
@@ -77,11 +80,13 @@ class Observation:
         models: Mapping[str, RobotModel] = manager.registered("mrta_register_robot_models")
         self._scene = SceneTracker(mission, models)
         self._panels = _panels(mission, manager)
+        self._measures = _measures(mission, manager)
         self._dispatcher = Dispatcher(codec, self.supervisor.report)
         self._dispatcher.watch(self.supervisor.sighting)
         for subscription, callback in self.supervisor.listeners():
             self._dispatcher.subscribe(subscription, callback)
-        listeners: List[Listener] = [self._scene, *self._panels, *further, *observers_of(mission, manager)]
+        heard_by: List[Listener] = [self._scene, *self._panels, *self._measures.values()]
+        listeners = [*heard_by, *further, *observers_of(mission, manager)]
         for listener in listeners:
             for subscription in listener.subscriptions():
                 self._dispatcher.subscribe(subscription, listener.hear)
@@ -112,8 +117,16 @@ class Observation:
         return team_news(view.record, view.now)
 
     def finish(self) -> MissionRecord:
-        """End the stream and sum up; to be called once."""
+        """End the stream and sum up, what measures say among the statistics; to be called once.
+
+        Raises:
+            HookError: a rule, statistic or measure raises, or gives what is no plain JSON; names it.
+        """
         record = self.supervisor.finish()
+        if self._measures:
+            values = {name: measure.value(record) for name, measure in self._measures.items()}
+            statistics = {**record.statistics, **values}
+            record = dataclasses.replace(record, statistics={name: statistics[name] for name in sorted(statistics)})
         self._manager.notify("mrta_on_mission_end", record=record)
         return record
 
@@ -157,6 +170,16 @@ def interpreter_for(mission: Mission, manager: PluginManager) -> Optional[Alloca
         f"allocation interpreter of {package}", factories[package], setup, "subscriptions", "hear"
     )
     return interpreter
+
+
+def _measures(mission: Mission, manager: PluginManager) -> Dict[str, GuardedMeasure]:
+    factories: Dict[str, MeasureFactory] = manager.registered("mrta_register_measures")
+    setup = MeasureSetup(mission)
+    needs = ("subscriptions", "hear", "value")
+    return {
+        name: GuardedMeasure(name, made(f"measure {name}", factories[name], setup, *needs))
+        for name in sorted(factories)
+    }
 
 
 def _panels(mission: Mission, manager: PluginManager) -> List[GuardedPanel]:

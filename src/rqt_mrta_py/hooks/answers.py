@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections import abc
 from typing import Iterator, Mapping, Optional, Pattern, Sequence, Tuple
@@ -12,7 +13,7 @@ from rqt_mrta_py.hooks.stream import Outgoing, TeamOutgoing
 from rqt_mrta_py.hooks.verb import Verb
 from rqt_mrta_py.wording import shown
 
-__all__ = ["message_breach", "registration_breach", "team_message_breach"]
+__all__ = ["json_breach", "message_breach", "registration_breach", "team_message_breach"]
 
 _TYPES: Mapping[str, type] = {
     "mrta_register_benchmarks": Benchmark,
@@ -76,6 +77,25 @@ def message_breach(message: object) -> Optional[str]:
         return f"answered an Outgoing on {shown(topic)} of type {shown(type_name)}; accepted are two texts"
     if not isinstance(fields, abc.Mapping):
         return f"answered an Outgoing on {topic!r} with fields {shown(fields)}; accepted is a mapping"
+    return None
+
+
+def json_breach(value: object) -> Optional[str]:
+    """Find what is wrong with a value that sums a mission up.
+
+    Args:
+        value: what a statistic or measure gave.
+
+    Returns:
+        A phrase that goes on after its name and a colon; None if all is well.
+    """
+    try:
+        json.dumps(value, allow_nan=False)
+    except (TypeError, ValueError, RecursionError) as error:
+        return (
+            f"its value is no plain JSON ({error}); accepted: finite numbers, texts, truth values, None, and lists and "
+            "dicts of them"
+        )
     return None
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 from functools import partial
 from typing import Callable, List, Mapping, Optional, Sequence, Set, Tuple
 
@@ -23,6 +22,7 @@ from rqt_mrta_py.hooks import (
     Subscription,
     TaskStateChanged,
 )
+from rqt_mrta_py.hooks.answers import json_breach
 from rqt_mrta_py.model import Event, Incident, Mission, MissionRecord
 from rqt_mrta_py.supervisor.desk import Desk
 from rqt_mrta_py.supervisor.ears import Callback, Ears
@@ -259,11 +259,7 @@ def _computed(name: str, statistic: Statistic, record: MissionRecord) -> object:
         value = statistic(record)
     except Exception as error:
         raise failure(f"statistic {name}", error) from error
-    try:
-        json.dumps(value, allow_nan=False)
-    except (TypeError, ValueError) as error:
-        raise HookError(
-            f"statistic {name}: its value is no plain JSON ({error}); accepted: finite numbers, texts, truth values, "
-            "None, and lists and dicts of them"
-        ) from error
+    breach = json_breach(value)
+    if breach is not None:
+        raise HookError(f"statistic {name}: {breach}")
     return value

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Dict, List, Mapping, Sequence
 
-from rqt_mrta_py.app.guard import GuardedNavigator, guarded_allocators, made
+from rqt_mrta_py.app.guard import GuardedNavigator, guarded_allocators, guarded_evaluators, guarded_robot_sensors, made
 from rqt_mrta_py.app.run.chance import Purpose, generator
 from rqt_mrta_py.app.run.missing import missing_agents, missing_behaviour, missing_planner
 from rqt_mrta_py.errors import RobotError, UsageError
@@ -56,8 +56,12 @@ class HostMaker:
         self._team = tuple(robot.id for robot in mission.application.robots)
         self._tasks = frozenset(task.id for task in (*mission.tasks, *mission.later_tasks))
         self._behaviours: Mapping[str, BehaviourFactory] = manager.registered("mrta_register_behaviours")
-        self._evaluators: Mapping[str, SensoryEvaluatorFactory] = manager.registered("mrta_register_sensory_evaluators")
-        self._sensors: Mapping[str, RobotSensorFactory] = manager.registered("mrta_register_robot_sensors")
+        self._evaluators: Mapping[str, SensoryEvaluatorFactory] = guarded_evaluators(
+            manager.registered("mrta_register_sensory_evaluators")
+        )
+        self._sensors: Mapping[str, RobotSensorFactory] = guarded_robot_sensors(
+            manager.registered("mrta_register_robot_sensors")
+        )
         self._allocators: Mapping[str, Allocator] = guarded_allocators(manager.registered("mrta_register_allocators"))
         self._planner = _planner(self._scenario.planner, manager.registered("mrta_register_planners"))
         self._agent = _agent_factory(mission.architecture.package, manager.registered("mrta_register_agents"))

@@ -13,8 +13,10 @@ from rqt_mrta_py.hooks import (
     BehaviourStep,
     Command,
     Decision,
+    Heard,
     Outgoing,
     Perception,
+    RobotSensorSetup,
     SensorReading,
     Situation,
     Subscription,
@@ -34,20 +36,29 @@ class Agent:
         self._task = next(task for task, robot in pairs if robot == setup.robot_id)
         chosen = next(task for task in setup.tasks if task.id == self._task)
         self._evaluator = setup.evaluators["stranger/after_a_while"](chosen)
+        self._whiskers = setup.sensors["stranger/whiskers"](RobotSensorSetup(setup.robot_id, "mileage", 1.0, 2.0))
         self._gives_up = 1.5 + setup.parameters["patience"]
 
     def subscriptions(self) -> Sequence[Subscription]:
-        return [GREETINGS]
+        return [GREETINGS, self._whiskers.subscription()]
 
     def step(self, situation: Situation) -> Decision:
         now, task = situation.now, self._task
+        for each in situation.heard:
+            if each.topic != GREETINGS.topic:
+                self._whiskers.hear(each)
+        felt = self._whiskers.read(now)
         said = [Outgoing("/greetings", "std_msgs/Float64", {"data": now})]
         said += [
-            Outgoing("late_by", "std_msgs/Float64", {"data": now - each.fields["data"]}) for each in situation.heard
+            Outgoing("late_by", "std_msgs/Float64", {"data": now - each.fields["data"]})
+            for each in situation.heard
+            if each.topic == GREETINGS.topic
         ]
+        if felt.newest is not None:
+            said.append(Outgoing("felt", "std_msgs/Float64", felt.newest.fields))
         if now >= self._gives_up:
             return Decision(None, [*said, Outgoing(f"farewell/{task}", "std_msgs/String", {"data": "too hard"})])
-        if not (situation.applicable[task] and self._evaluator.is_applicable(now, ())):
+        if not (situation.applicable[task] and self._evaluator.is_applicable(now, [felt])):
             return Decision(None, said)
         return Decision(
             task, [*said, Outgoing(f"claim/{task}", "std_msgs/String", {"data": f"{situation.cost(task)}"})]
@@ -80,7 +91,25 @@ class AfterAWhile:
         self.task = task
 
     def is_applicable(self, now: float, sensors: Sequence[SensorReading]) -> bool:
-        return now >= 1.5
+        return now >= 1.5 and sensors[0].up_to_date
+
+
+class Whiskers:
+    """Feel how far the mole has come, and believe half of it."""
+
+    def __init__(self, setup: RobotSensorSetup) -> None:
+        self._setup = setup
+        self._newest: Optional[Heard] = None
+
+    def subscription(self) -> Subscription:
+        return Subscription(self._setup.topic, "std_msgs/Float64", ("data",))
+
+    def hear(self, heard: Heard) -> None:
+        self._newest = heard._replace(fields={"data": heard.fields["data"] / 2})
+
+    def read(self, now: float) -> SensorReading:
+        fresh = self._newest is not None and now - self._newest.receipt <= self._setup.timeout
+        return SensorReading(self._setup.topic, fresh, self._newest)
 
 
 def last_first(problem: AllocationProblem) -> List[Tuple[str, str]]:

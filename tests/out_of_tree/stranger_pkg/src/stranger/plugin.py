@@ -31,6 +31,11 @@ def mrta_register_sensory_evaluators() -> Mapping[str, Any]:
 
 
 @hookimpl
+def mrta_register_robot_sensors() -> Mapping[str, Any]:
+    return {"stranger/whiskers": mole.Whiskers}
+
+
+@hookimpl
 def mrta_register_allocators() -> Mapping[str, Any]:
     return {"stranger/last_first": mole.last_first}
 
@@ -68,6 +73,11 @@ def mrta_register_links() -> Mapping[str, Any]:
 @hookimpl
 def mrta_register_incident_rules() -> Mapping[str, Any]:
     return {"somebody_works": watching.SomebodyWorks}
+
+
+@hookimpl
+def mrta_register_measures() -> Mapping[str, Any]:
+    return {"mileage": watching.Mileage}
 
 
 @hookimpl

@@ -24,6 +24,7 @@ from rqt_mrta_py.hooks import (
     InterpreterSetup,
     Line,
     LineStyle,
+    MeasureSetup,
     MonitorView,
     ObserverSetup,
     PanelSetup,
@@ -38,6 +39,7 @@ MILEAGE = Subscription("/@robot_id@/mileage", "std_msgs/Float64", ("data",))
 LATE_BY = Subscription("/@robot_id@/late_by", "std_msgs/Float64", ("data",))
 CLAIMS = Subscription("/@robot_id@/claim/@task_id@", "std_msgs/String", ("data",))
 RANK = Subscription("/@robot_id@/rank", "std_msgs/Int32", ("data",))
+FELT = Subscription("/@robot_id@/felt", "std_msgs/Float64", ("data",))
 FAREWELLS = Subscription("/@robot_id@/farewell/@task_id@", "std_msgs/String", ("data",))
 
 
@@ -99,7 +101,7 @@ class Trace:
         self._heard: Dict[str, List[Any]] = {"application": [setup.mission.application.name]}
 
     def subscriptions(self) -> Sequence[Subscription]:
-        return [MILEAGE, RANK, LATE_BY, CLAIMS]
+        return [MILEAGE, RANK, LATE_BY, CLAIMS, FELT]
 
     def hear(self, heard: Heard) -> None:
         self._heard.setdefault(heard.topic, []).append(heard.fields["data"])
@@ -125,6 +127,22 @@ class Tunnels:
         heights = tuple(self._dug[mole] for mole in moles)
         line = Line("dug", tuple(map(float, range(len(moles)))), heights, style=LineStyle.BARS)
         return [Figure("dug", "Tunnels", "mole", (Chart((line,), "mileage [m]", x_ticks=moles),))]
+
+
+class Mileage:
+    """How far each mole came, and all of them for each allocation."""
+
+    def __init__(self, setup: MeasureSetup) -> None:
+        self._dug = dict.fromkeys((robot.id for robot in setup.mission.application.robots), 0.0)
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        return [MILEAGE]
+
+    def hear(self, heard: Heard) -> None:
+        self._dug[heard.robot] = heard.fields["data"]
+
+    def value(self, record: MissionRecord) -> Dict[str, float]:
+        return {**self._dug, "each": sum(self._dug.values()) / len(record.allocations)}
 
 
 class Ear:

@@ -1,0 +1,8 @@
+"""Numbers that sum up how a team did.
+
+* ``floor``: the free floor of an arena as cells; ``coverage``: how much of it lay near robots
+* ``task_shares``: how the time that robots spent on tasks is spread over the tasks
+* ``plugin``: the hooks
+"""
+
+from __future__ import annotations
