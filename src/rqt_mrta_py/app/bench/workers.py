@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import multiprocessing
+import os
 import pickle
+import queue
 import signal
 import sys
+import threading
 import traceback
 from collections import deque
 from contextlib import suppress
@@ -131,15 +134,24 @@ class _Workers:
 
 
 def _work(told: Connection, others: Sequence[Connection], function: Callable[[Any], Any], items: Sequence[Any]) -> None:
-    """Answer until nobody asks any more."""
+    """Answer until nobody is left who asks; then end at once, whatever is being worked on."""
     # Ctrl-C reaches the whole group; whether to end is for the process that asks to say.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     for connection in others:
         connection.close()
-    with suppress(EOFError, OSError):  # the process that asks may be gone
+    inbox: queue.Queue[int] = queue.Queue()
+    threading.Thread(target=_read, args=(told, inbox), name="mrta-reading", daemon=True).start()
+    with suppress(OSError):
         while True:
-            told.send_bytes(_reply(told.recv(), function, items))
+            told.send_bytes(_reply(inbox.get(), function, items))
+
+
+def _read(told: Connection, inbox: queue.Queue[int]) -> None:
+    with suppress(EOFError, OSError):
+        while True:
+            inbox.put(told.recv())
+    os._exit(1)
 
 
 def _reply(number: int, function: Callable[[Any], Any], items: Sequence[Any]) -> bytes:
