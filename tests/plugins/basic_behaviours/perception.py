@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Optional, Sequence
+from typing import Any, Dict, Mapping, Optional, Sequence
 
 import numpy as np
 
@@ -26,10 +26,14 @@ class Perceived:
     def __init__(self, pose: Optional[Pose] = None, now: float = 1.0) -> None:
         self.now = now
         self.pose = pose
-        self._scan: Optional[Heard] = None
+        self._newest: Dict[str, Heard] = {}
 
     def newest(self, topic: str) -> Optional[Heard]:
-        return self._scan if topic == "scan" else None
+        return self._newest.get(topic)
+
+    def hear(self, topic: str, type_name: str, fields: Mapping[str, Any]) -> None:
+        """Take in a message."""
+        self._newest[topic] = Heard(f"/robot1/{topic}", type_name, self.now, fields)
 
     def hear_scan(self, ranges: Sequence[float], **fields: Any) -> None:
         """Take in a scan all around with these ranges [m]."""
@@ -41,7 +45,7 @@ class Perceived:
             "ranges": list(ranges),
             **fields,
         }
-        self._scan = Heard("/robot1/scan", "sensor_msgs/LaserScan", self.now, content)
+        self.hear("scan", "sensor_msgs/LaserScan", content)
 
     def look_around(self, obstacles: Sequence[Obstacle] = (), arena: Arena = ARENA) -> None:
         """Take in the scan that belongs to the pose."""

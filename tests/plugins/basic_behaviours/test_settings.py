@@ -4,6 +4,7 @@ from typing import Any, Mapping
 
 import pytest
 from basic_behaviours.avoid import AvoidSettings
+from basic_behaviours.collect_settings import CollectSettings
 from basic_behaviours.follow_border import FollowBorder, FollowBorderSettings
 from basic_behaviours.go_to_place import GoToPlace
 from basic_behaviours.report import Report, ReportSettings
@@ -45,6 +46,23 @@ def test_settings_are_read_once_for_each_task() -> None:
         ),
         (ReportSettings, {"count": 1.5}, "data/count: must be a whole number (got 1.5)"),
         (ReportSettings, {"count": 0}, "data/count: must be from 1 to 1e+06 reports (got 0)"),
+        (CollectSettings, {"x": 0, "y": 0}, "data/thing: must name the kind of things to collect (got nothing)"),
+        (CollectSettings, {"thing": "can", "x": 0}, "data/y: must tell where the centre of the area is (got nothing)"),
+        (
+            CollectSettings,
+            {"thing": "can", "x": 0, "y": 0, "area": "square"},
+            "data/area: must be one of rectangle, circle (got 'square')",
+        ),
+        (
+            CollectSettings,
+            {"thing": "can", "x": 0, "y": 0, "spacing": 0.1},
+            "data/spacing: must be from 0.2 to 100 m (got 0.1)",
+        ),
+        (
+            CollectSettings,
+            {"thing": "can", "x": 0, "y": 0, "tries": 0},
+            "data/tries: must be from 1 to 1000 times (got 0)",
+        ),
         (ReportSettings, {"period": 0}, "data/period: must be from 0.1 to 3600 s (got 0.0)"),
     ],
 )

@@ -5,7 +5,7 @@ from typing import Any, Dict, List
 
 import numpy as np
 import pytest
-from basic_behaviours.sight import FAR, Sight, SightReader
+from basic_behaviours.sight import FAR, Disc, Sight, SightReader
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -106,3 +106,28 @@ def test_a_disc_that_travels_as_far_as_allowed_touches_nothing(
     for part in range(11):
         x, y = part / 10 * free * math.cos(direction), part / 10 * free * math.sin(direction)
         assert all(math.hypot(px - x, py - y) > radius - 1e-6 for px, py in points)
+
+
+def test_a_disc_is_seen_where_its_rays_are_and_at_its_nearest_point() -> None:
+    sight = see(scan_with({0: 1.2, 90: 3.0})).with_discs([Disc(2.0, 0.0, 0.4)])
+    degrees = np.round(np.degrees(sight.bearings)).astype(int).tolist()
+    ranges = dict(zip(degrees, sight.ranges.tolist()))
+    # Seen under asin(0.4 / 2) = 11.5 degrees to either side; what is nearer stays.
+    assert (ranges[0], ranges[10], ranges[-10], ranges[90]) == pytest.approx((1.2, 1.6, 1.6, 3.0))
+    assert ranges[20] == ranges[-20] == FAR
+
+
+def test_a_disc_between_two_rays_is_seen_by_the_nearer_one() -> None:
+    sight = see(scan_with({})).with_discs([Disc(2.0 * math.cos(0.1), 2.0 * math.sin(0.1), 0.05)])
+    # 0.1 rad is 5.7 degrees; the disc is seen under 1.4 degrees.
+    met = np.flatnonzero(sight.ranges < FAR)
+    assert np.degrees(sight.bearings[met]) == pytest.approx([10.0])
+    assert sight.ranges[met] == pytest.approx([1.95])
+
+
+def test_what_was_met_within_a_disc_is_taken_out() -> None:
+    sight = see(scan_with({0: 1.0, 10: 1.0, 20: 1.0})).without_disc(Disc(1.0, 0.0, 0.2))
+    degrees = np.round(np.degrees(sight.bearings)).astype(int).tolist()
+    ranges = dict(zip(degrees, sight.ranges.tolist()))
+    # At 10 degrees it is 2 sin 5 = 0.174 m off the centre, at 20 degrees 0.347 m.
+    assert (ranges[0], ranges[10], ranges[20]) == pytest.approx((FAR, FAR, 1.0))

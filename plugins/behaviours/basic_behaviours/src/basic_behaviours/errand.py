@@ -83,7 +83,7 @@ class Errand:
         self._search = Search(lanes(settings.floor, settings.spacing), settings.tolerance)
         self._journey = Journey(setup)
         self._clear = ClearSight(setup.model, settings.thing_radius)
-        self._take = TakeHold(setup.model)
+        self._take = TakeHold(setup.model, settings.thing_radius)
         self._back_off = BackOff(setup.model, _BACK_OFF)
         self._look_around = LookAround()
         self._phases: Dict[Phase, Callable[[Senses], Union[BehaviourStep, Phase]]] = {
@@ -104,7 +104,7 @@ class Errand:
         self._slot: Optional[Pose] = None
         self._since = 0.0
         self._tries: Dict[str, int] = {}
-        self._problem = ""
+        self._problem = self._no_way = ""
         self._brought = 0
         self._drop_tries = 0
         self._begun = False
@@ -156,15 +156,16 @@ class Errand:
         state, twist, detail = self._journey.step(senses.now, senses.pose, self._clear_sight(senses))
         if state is JourneyState.UNDER_WAY:
             return _drive(twist)
-        self._problem = detail
         if self._search.stop is None:
             self._seen_zone = True
             return Phase.SEARCH
-        self._begun = self._begun or state is JourneyState.ARRIVED
-        self._search.leave(reached=state is JourneyState.ARRIVED)
-        if stop.look_around and state is JourneyState.ARRIVED:
-            return Phase.LOOK_AROUND
-        return Phase.SEARCH
+        reached = state is JourneyState.ARRIVED
+        self._search.leave(reached=reached)
+        if reached:
+            self._begun = True
+        else:
+            self._no_way = detail
+        return Phase.LOOK_AROUND if reached and stop.look_around else Phase.SEARCH
 
     def _turn_round(self, senses: Senses) -> Union[BehaviourStep, Phase]:
         if self._next_thing(senses.pose) is not None or self._look_around.is_over(senses.now, senses.pose.yaw):
@@ -191,8 +192,7 @@ class Errand:
         if thing is None and not senses.holds:
             return Phase.SEARCH
         place = thing.place if thing else senses.pose
-        sight = self._clear_sight(senses)
-        state, twist, gripper, detail = self._take.step(senses.now, senses.pose, sight, place, senses.holds)
+        state, twist, gripper, detail = self._take.step(senses.now, senses.pose, senses.sight, place, senses.holds)
         if state is TakeState.UNDER_WAY:
             return _drive(twist, gripper)
         if state is TakeState.FAILED:
@@ -284,7 +284,7 @@ class Errand:
             detail = f"did not get {names} in {self._settings.tries} tries: {self._problem}"
             return BehaviourStep(progress=Progress.UNREACHABLE, detail=detail)
         if not self._search.reached_any:
-            return BehaviourStep(progress=Progress.UNREACHABLE, detail=f"the area: {self._problem}")
+            return BehaviourStep(progress=Progress.UNREACHABLE, detail=f"the area: {self._no_way}")
         return BehaviourStep(progress=Progress.DONE, detail=f"brought {self._brought}; nothing is left in the area")
 
     def _clear_sight(self, senses: Senses) -> Sight:

@@ -29,7 +29,7 @@ class GoToPlace(PlaceBehaviour[JourneySettings]):
 
     def step(self, task: Task, perception: Perception) -> BehaviourStep:
         """Drive; stand still while robot or surroundings are not known."""
-        pose, sight = perception.pose, self._sights.read(perception)
+        pose, sight = perception.pose, self._look(perception)
         if pose is None or sight is None:
             return BehaviourStep()
         state, twist, detail = self._journey.step(perception.now, pose, sight)

@@ -64,7 +64,7 @@ class Report(PlaceBehaviour[ReportSettings]):
     def step(self, task: Task, perception: Perception) -> BehaviourStep:
         """Drive there or report; stand still while robot or surroundings are not known."""
         settings = self._read(task)
-        pose, sight = perception.pose, self._sights.read(perception)
+        pose, sight = perception.pose, self._look(perception)
         if pose is None or sight is None:
             return BehaviourStep()
         if self._there and pose.distance(require_place(task)) > settings.tolerance + _DRIFT:

@@ -6,7 +6,7 @@ import math
 from enum import Enum
 from typing import NamedTuple, Optional
 
-from basic_behaviours.sight import Sight
+from basic_behaviours.sight import Disc, Sight
 from rqt_mrta_py.hooks import Perception, RobotModel, Subscription
 from rqt_mrta_py.model import Pose, Twist
 
@@ -16,6 +16,7 @@ GRIPPER_STATE = Subscription("gripper/state", "std_msgs/String", ("data",))
 OPEN, CLOSED = 0.0, 1.0
 
 _STALE = 2.0
+_SLACK = 0.1
 _WITHIN_REACH = 0.75
 _AIMED = 0.3
 _TURN_GAIN = 2.5
@@ -52,12 +53,16 @@ class TakeStep(NamedTuple):
 class TakeHold:
     """Turns towards a thing, comes near, closes the gripper and waits until it says what it holds.
 
+    It keeps off walls and robots, not off other things: what lies close to the one that it wants is pushed aside.
+
     Args:
         model: of the robot.
+        radius: of the largest thing as seen from above [m].
     """
 
-    def __init__(self, model: RobotModel) -> None:
+    def __init__(self, model: RobotModel, radius: float) -> None:
         self._model = model
+        self._radius = radius + _SLACK
         self._since: Optional[float] = None
         self._closed_at: Optional[float] = None
 
@@ -76,7 +81,7 @@ class TakeHold:
         Args:
             now: the time [s].
             pose: of the robot.
-            sight: what is seen but for the thing.
+            sight: what the range finder sees.
             place: of the thing, in the frame ``map``.
             holds: see ``held``.
         """
@@ -95,7 +100,8 @@ class TakeHold:
         turn = min(max(_TURN_GAIN * bearing, -limit), limit)
         if abs(bearing) > _AIMED:
             return TakeStep(TakeState.UNDER_WAY, Twist(wz=turn))
-        ahead = sight.travel_towards(0.0, self._model.radius)
+        thing = Disc(distance * math.cos(bearing), distance * math.sin(bearing), self._radius)
+        ahead = sight.without_disc(thing).travel_towards(0.0, self._model.radius)
         speed = min(_SLOW, 0.03 + 0.8 * max(0.0, distance - self.distance), ahead)
         return TakeStep(TakeState.UNDER_WAY, Twist(vx=speed, wz=turn))
 
