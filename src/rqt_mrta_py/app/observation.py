@@ -34,7 +34,7 @@ from rqt_mrta_py.supervisor import Supervisor, team_news
 from rqt_mrta_py.transport import Batch, Dispatcher
 from rqt_mrta_py.wording import accepted
 
-__all__ = ["CURVE_WINDOW", "Observation", "interpreter_for"]
+__all__ = ["CURVE_WINDOW", "Observation", "interpreter_for", "measures_for", "with_measures"]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
@@ -80,7 +80,7 @@ class Observation:
         models: Mapping[str, RobotModel] = manager.registered("mrta_register_robot_models")
         self._scene = SceneTracker(mission, models)
         self._panels = _panels(mission, manager)
-        self._measures = _measures(mission, manager)
+        self._measures = measures_for(mission, manager)
         self._dispatcher = Dispatcher(codec, self.supervisor.report)
         self._dispatcher.watch(self.supervisor.sighting)
         for subscription, callback in self.supervisor.listeners():
@@ -122,11 +122,7 @@ class Observation:
         Raises:
             HookError: a rule, statistic or measure raises, or gives what is no plain JSON; names it.
         """
-        record = self.supervisor.finish()
-        if self._measures:
-            values = {name: measure.value(record) for name, measure in self._measures.items()}
-            statistics = {**record.statistics, **values}
-            record = dataclasses.replace(record, statistics={name: statistics[name] for name in sorted(statistics)})
+        record = with_measures(self.supervisor.finish(), self._measures)
         self._manager.notify("mrta_on_mission_end", record=record)
         return record
 
@@ -172,7 +168,12 @@ def interpreter_for(mission: Mission, manager: PluginManager) -> Optional[Alloca
     return interpreter
 
 
-def _measures(mission: Mission, manager: PluginManager) -> Dict[str, GuardedMeasure]:
+def measures_for(mission: Mission, manager: PluginManager) -> Dict[str, GuardedMeasure]:
+    """Make the measures of a mission, by name.
+
+    Raises:
+        HookError: one cannot be made; names it.
+    """
     factories: Dict[str, MeasureFactory] = manager.registered("mrta_register_measures")
     setup = MeasureSetup(mission)
     needs = ("subscriptions", "hear", "value")
@@ -180,6 +181,18 @@ def _measures(mission: Mission, manager: PluginManager) -> Dict[str, GuardedMeas
         name: GuardedMeasure(name, made(f"measure {name}", factories[name], setup, *needs))
         for name in sorted(factories)
     }
+
+
+def with_measures(record: MissionRecord, measures: Mapping[str, GuardedMeasure]) -> MissionRecord:
+    """Put what measures say among the statistics of a finished mission.
+
+    Raises:
+        HookError: a measure raises, or gives what is no plain JSON; names it.
+    """
+    if not measures:
+        return record
+    statistics = {**record.statistics, **{name: measure.value(record) for name, measure in measures.items()}}
+    return dataclasses.replace(record, statistics={name: statistics[name] for name in sorted(statistics)})
 
 
 def _panels(mission: Mission, manager: PluginManager) -> List[GuardedPanel]:

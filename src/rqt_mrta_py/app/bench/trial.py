@@ -7,7 +7,7 @@ from typing import Set
 
 from rqt_mrta_py.app.bench.message_counts import MessageCounts
 from rqt_mrta_py.app.compose import Host
-from rqt_mrta_py.app.observation import interpreter_for
+from rqt_mrta_py.app.observation import interpreter_for, measures_for, with_measures
 from rqt_mrta_py.app.run.embedded import EmbeddedRun
 from rqt_mrta_py.hooks import Experiment, Trial
 from rqt_mrta_py.model import Event, Mission, ScenarioEventKind, TaskState
@@ -49,6 +49,10 @@ def carry_out(host: Host, experiment: Experiment, mission: Mission, duration: fl
         dispatcher.watch(supervisor.sighting)
         for subscription, callback in supervisor.listeners():
             dispatcher.subscribe(subscription, callback)
+        measures = measures_for(mission, manager)
+        for measure in measures.values():
+            for subscription in measure.subscriptions():
+                dispatcher.subscribe(subscription, measure.hear)
         run = EmbeddedRun(mission, duration, codec, manager)
     try:
         run.bus.tap(counts.take_in)
@@ -61,7 +65,7 @@ def carry_out(host: Host, experiment: Experiment, mission: Mission, duration: fl
     finally:
         run.close()
     with patience.at_work("the end of the mission"):
-        record = supervisor.finish()
+        record = with_measures(supervisor.finish(), measures)
     return Trial(experiment, record, counts.by_type(), time.process_time() - begin)
 
 
