@@ -285,6 +285,7 @@ def test_shares_of_perpetual_tasks_stand_side_by_side() -> None:
     assert table.columns[3:] == ("a [%]", "b [%]")
     assert table.rows[0][:4] == (1, 0.0, 2, "90.0 [90.0, 90.0]")
     assert table.rows[1][3:] == ("50.0 [50.0, 50.0]", "50.0 [50.0, 50.0]")
+    assert len(table.rows) == 2
 
 
 def test_parts_are_measured_in_their_order_whatever_the_order_of_asking() -> None:
@@ -296,7 +297,7 @@ def test_parts_are_measured_in_their_order_whatever_the_order_of_asking() -> Non
     report = measure(told, bench)
 
     assert [table.title.split(":")[1].split()[0] for table in report.tables] == ["from", "from", "share"]
-    assert options_of(told).seeds == 2
+    assert options_of(told).seeds == 1
     assert len({figure.name for figure in report.figures}) == len(report.figures) == 3
 
 
@@ -315,4 +316,13 @@ def test_fifty_seeds_are_the_default() -> None:
     options = options_of(parser.parse_args([]))
 
     assert len(options.seed_numbers) == 50
-    assert options.application == "cleanup"
+    assert (options.application, options.duration, options.lessons) == ("cleanup", 900.0, 10)
+
+
+def test_a_duration_that_is_none_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    parser = ArgumentParser()
+    add_arguments(parser)
+    with pytest.raises(SystemExit):
+        parser.parse_args(["--duration", "nan"])
+
+    assert "'nan': a number of seconds above 0 is expected" in capsys.readouterr().err

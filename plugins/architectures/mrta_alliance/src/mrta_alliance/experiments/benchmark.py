@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import math
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from typing import Dict, List, Tuple
 
@@ -29,7 +30,8 @@ PARTS: Dict[str, Part] = {
 }
 """All parts, by name, in the order of measuring."""
 
-_QUICK_SEEDS = 2
+_QUICK_NUMBER = 1
+_QUICK_DURATION = 250.0
 _DEFAULTS = Options()
 
 
@@ -39,7 +41,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--parts", metavar="P,...", type=_parts, default=tuple(PARTS), help=f"what to measure (default: {names})"
     )
-    parser.add_argument("--seeds", metavar="N", type=_count, help="missions of each kind (default: 50; quick: 2)")
+    parser.add_argument("--seeds", metavar="N", type=_count, help="missions of each kind (default: 50; quick: 1)")
     parser.add_argument(
         "--application", metavar="A", default=_DEFAULTS.application, help="whose tasks end (default: %(default)s)"
     )
@@ -48,26 +50,26 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--world", metavar="W", default=_DEFAULTS.world, help="where (default: %(default)s)")
     parser.add_argument(
-        "--duration", metavar="S", type=float, help="of missions whose tasks end, at most (default: the scenario's)"
+        "--duration", metavar="S", type=_seconds, help="of missions whose tasks end, at most (default: 900; quick: 250)"
     )
     parser.add_argument(
         "--courses", metavar="N", type=_count, default=_DEFAULTS.courses, help="teams trained (default: %(default)s)"
     )
     parser.add_argument(
-        "--lessons", metavar="N", type=_count, help="missions each is trained in (default: 10; quick: 2)"
+        "--lessons", metavar="N", type=_count, help="missions each is trained in (default: 10; quick: 1)"
     )
     parser.add_argument("--quick", action="store_true", help="measure little of everything, to see that it works")
 
 
 def options_of(told: Namespace) -> Options:
     """Read what the user asks for."""
-    few = _QUICK_SEEDS if told.quick else None
+    few = _QUICK_NUMBER if told.quick else None
     return Options(
         seeds=told.seeds or few or _DEFAULTS.seeds,
         application=told.application,
         patrol=told.patrol,
         world=told.world,
-        duration=told.duration,
+        duration=told.duration or (_QUICK_DURATION if told.quick else _DEFAULTS.duration),
         courses=1 if told.quick else told.courses,
         lessons=told.lessons or few or _DEFAULTS.lessons,
         quick=told.quick,
@@ -93,6 +95,16 @@ def _parts(text: str) -> Tuple[str, ...]:
         if name not in PARTS:
             raise ArgumentTypeError(f"{name!r}: there is no such part; there are: {', '.join(PARTS)}")
     return tuple(name for name in PARTS if name in names)
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = math.nan
+    if not 0.0 < seconds < math.inf:
+        raise ArgumentTypeError(f"{text!r}: a number of seconds above 0 is expected")
+    return seconds
 
 
 def _count(text: str) -> int:

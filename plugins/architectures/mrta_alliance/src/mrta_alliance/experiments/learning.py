@@ -46,9 +46,10 @@ def measure_learning(options: Options, laboratory: Laboratory) -> BenchmarkRepor
     memories = _lessons(options, laboratory, robots, courses)
     experiments: List[Experiment] = []
     labels: List[str] = []
+    others = _RIVALS[2:4] if options.quick else _RIVALS[2:]
     for number, seed in enumerate(options.seed_numbers):
         trained = _Rival(_LEARNED, "mrta_l_alliance", memories[number % courses])
-        for rival in (*_RIVALS[:2], trained, *_RIVALS[2:]):
+        for rival in (*_RIVALS[:2], trained, *others):
             mission = options.mission(seed)
             labels.append(rival.label)
             experiments.append(replace(mission, architecture=rival.architecture, settings=rival.settings))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable, NamedTuple, Optional
+from typing import Callable, NamedTuple
 
 from rqt_mrta_py.hooks import BenchmarkReport, Experiment, Laboratory
 
@@ -19,7 +19,7 @@ class Options:
         application: whose tasks end.
         patrol: an application whose tasks are perpetual, with more robots than tasks.
         world: where to simulate.
-        duration: of missions whose tasks end, at most; None for the scenario's [s].
+        duration: of missions whose tasks end, at most; long enough for one robot to do everything [s].
         courses: how many teams are trained, each of which then carries out its share of the missions.
         lessons: how many missions a team is trained on.
         quick: measure less of everything.
@@ -30,7 +30,7 @@ class Options:
     application: str = "cleanup"
     patrol: str = "border_patrol"
     world: str = "planar"
-    duration: Optional[float] = None
+    duration: float = 900.0
     courses: int = 10
     lessons: int = 10
     quick: bool = False

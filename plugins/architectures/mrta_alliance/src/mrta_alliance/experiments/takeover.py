@@ -85,7 +85,7 @@ def bound_on_takeover(tau: float, threshold: float, fast_rate: float, spin_rate:
 
 def measure_takeover(options: Options, laboratory: Laboratory) -> BenchmarkReport:
     """Stop a robot while it holds a task, under several tau and several phi."""
-    taus, phis = (_TAUS[::2], _PHIS[::3]) if options.quick else (_TAUS, _PHIS)
+    taus, phis = (_TAUS[1:2], _PHIS[:1]) if options.quick else (_TAUS, _PHIS)
     sweeps = (
         _Sweep(
             "tau",
