@@ -46,6 +46,34 @@ tasks:
     )
 
 
+def test_layers_are_read_from_lower_to_higher() -> None:
+    (task,) = read_tasks("tasks: [{id: roam, kind: wander, layers: [follow, avoid]}]", "tasks.yaml")
+    assert task == Task("roam", "wander", layers=("follow", "avoid"))
+
+
+@pytest.mark.parametrize(
+    ("layers", "message"),
+    [
+        ("[avoid, avoid]", "names 'avoid' twice; take one of them out"),
+        ("[avoid, wander]", "names 'wander', the task's own kind, which is the lowest layer; take it out"),
+        ("avoid", "must be a list of texts (got 'avoid')"),
+    ],
+)
+def test_layers_that_cannot_be_are_told_with_their_line(layers: str, message: str) -> None:
+    text = f"tasks:\n- id: roam\n  kind: wander\n  layers: {layers}\n"
+    with pytest.raises(ConfigError) as caught:
+        read_tasks(text, "tasks.yaml")
+    assert str(caught.value) == f"tasks.yaml:4: tasks[0]/layers: {message}"
+    with pytest.raises(ConfigError) as caught:
+        read_task(f"id: roam\nkind: wander\nlayers: {layers}\n", "task_yaml")
+    assert str(caught.value) == f"task_yaml:3: layers: {message}"
+
+
+def test_a_task_travels_with_its_layers() -> None:
+    task = Task("roam", "wander", layers=("follow", "avoid"), data={"layers": {"avoid": {"distance": 0.5}}})
+    assert read_task(dump_task(task), "task_yaml") == task
+
+
 def test_tasks_may_be_an_empty_list() -> None:
     assert read_tasks(b"tasks: []", "tasks.yaml") == ()
 
@@ -150,7 +178,7 @@ def test_task_is_written_as_a_person_would() -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "task_yaml:1: is empty; accepted: id, kind, place"),
+        ("", "task_yaml:1: is empty; accepted: id, kind, layers, place"),
         ("[]", r"task_yaml:1: must be a mapping \(got \[\]\)"),
         ("id: a", "task_yaml:1: kind: is missing; give a text"),
         ("{id: a b, kind: go}", r"task_yaml:1: id: must be a name without spaces \(got 'a b'\)"),

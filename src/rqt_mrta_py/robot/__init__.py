@@ -7,6 +7,7 @@
 * ``perception``: the newest messages, as a behaviour sees them
 * ``charges``: the robot's tasks, and what stands in the way of each
 * ``reports``: what is said of tasks, by robots and operators, and what follows
+* ``layers``: behaviours one above the other, of which higher ones suppress lower ones
 * ``commands``: a behaviour's commands as messages
 * ``notices``: task progress and log lines as messages
 * ``navigation``: the Navigator on an occupancy grid
@@ -16,6 +17,7 @@
 from __future__ import annotations
 
 from rqt_mrta_py.robot.host import HostSetup, RobotHost
+from rqt_mrta_py.robot.layers import told_layers
 from rqt_mrta_py.robot.navigation import GridNavigator
 
-__all__ = ["GridNavigator", "HostSetup", "RobotHost"]
+__all__ = ["GridNavigator", "HostSetup", "RobotHost", "told_layers"]

@@ -7,6 +7,7 @@ from typing import Any, Collection, Dict, FrozenSet, Iterator, Mapping, NamedTup
 
 from rqt_mrta_py.hooks import Behaviour
 from rqt_mrta_py.model import Progress, Task
+from rqt_mrta_py.robot.layers import LayeredBehaviour
 from rqt_mrta_py.robot.perception import BehaviourPerception
 from rqt_mrta_py.wording import shown
 
@@ -83,7 +84,7 @@ class Charges:
     """The tasks that one robot may carry out, by id, in the order in which they were taken on.
 
     Args:
-        behaviours: by the kind of task.
+        behaviours: by the kind of task or layer.
         views: what each of them perceives, by the same kinds.
         capabilities: what the robot can do; None: not checked.
     """
@@ -121,6 +122,8 @@ class Charges:
         behaviour = self._behaviours.get(task.kind)
         if behaviour is None:
             raise ValueError(f"no behaviour carries out the kind {task.kind!r}; there are {listed(self._behaviours)}")
+        if task.layers:
+            behaviour = LayeredBehaviour(task, self._behaviours, self._views)
         return Charge(task, behaviour, self._views[task.kind])
 
     def take_on(self, charge: Charge, *, later: bool = False) -> None:

@@ -30,7 +30,7 @@ class HostSetup:
     Attributes:
         robot_id: normalised.
         agent: this robot's share of the architecture.
-        behaviours: by the kind of task; at least one for each kind among the tasks.
+        behaviours: by the kind of task or layer; at least one for each kind among the tasks and their layers.
         tasks: those that this robot may carry out, in the mission's order.
         control_rate: control ticks a second [Hz].
         later_tasks: that this robot may carry out once they appear.

@@ -1,4 +1,4 @@
-"""Whether somebody can carry out each task: its kind, what it asks of a robot, the place where it is done."""
+"""Whether somebody can carry out each task: its kind and layers, what it asks of a robot, where it is done."""
 
 from __future__ import annotations
 
@@ -6,12 +6,13 @@ from typing import Dict, FrozenSet, Iterator, Mapping, NamedTuple, Optional
 
 from rqt_mrta_py.app.doctor.subject import ApplicationFiles, Subject
 from rqt_mrta_py.app.doctor.team import robots_for
-from rqt_mrta_py.app.run.missing import missing_behaviour
+from rqt_mrta_py.app.run.missing import missing_behaviour, missing_layers
 from rqt_mrta_py.config.loading import yaml_text
 from rqt_mrta_py.config.yaml.lines import YamlLines
 from rqt_mrta_py.errors import Problem
 from rqt_mrta_py.hooks import BehaviourFactory, RobotModel
 from rqt_mrta_py.model import Arena, Pose, ScenarioSpec, Task
+from rqt_mrta_py.robot import told_layers
 from rqt_mrta_py.sim.placement import distance_to
 from rqt_mrta_py.wording import accepted
 
@@ -47,6 +48,15 @@ def _of_kind(task: Task, behaviours: Mapping[str, BehaviourFactory]) -> Iterator
     message = missing_behaviour(task, behaviours)
     if message is not None:
         yield _Amiss("kind", message)
+    for missing in missing_layers(task, behaviours):
+        yield _Amiss("layers", missing)
+    if not task.layers:
+        return
+    try:
+        told_layers(task)
+    except ValueError as error:
+        key, _, message = str(error).partition(": ")
+        yield _Amiss(key, message)
 
 
 def _of_capabilities(

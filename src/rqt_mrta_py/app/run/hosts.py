@@ -6,7 +6,7 @@ from typing import Dict, List, Mapping, Sequence
 
 from rqt_mrta_py.app.guard import GuardedNavigator, guarded_allocators, guarded_evaluators, guarded_robot_sensors, made
 from rqt_mrta_py.app.run.chance import Purpose, generator
-from rqt_mrta_py.app.run.missing import missing_agents, missing_behaviour, missing_planner
+from rqt_mrta_py.app.run.missing import missing_agents, missing_behaviour, missing_layers, missing_planner
 from rqt_mrta_py.errors import RobotError, UsageError
 from rqt_mrta_py.hooks import (
     Agent,
@@ -103,10 +103,10 @@ class HostMaker:
         )
 
     def _make_behaviours(self, robot_id: str, tasks: Sequence[Task]) -> Dict[str, Behaviour]:
-        """Make one robot's behaviours, one for each kind of task, round one navigator."""
+        """Make one robot's behaviours, one for each kind of task or layer, round one navigator."""
         for task in tasks:
-            message = missing_behaviour(task, self._behaviours)
-            if message is not None:
+            missing = missing_behaviour(task, self._behaviours)
+            for message in (*(() if missing is None else (missing,)), *missing_layers(task, self._behaviours)):
                 raise RobotError(f"{robot_id}: task {task.id!r}: {message}")
         model, scenario = self._models[robot_id], self._scenario
         who = f"{robot_id}: planner {scenario.planner}"
@@ -117,7 +117,7 @@ class HostMaker:
             navigator=GuardedNavigator(who, made(who, self._planner, planner_setup, *_PLANNER)),
             random=generator(self._seed, robot_id, Purpose.BEHAVIOUR),
         )
-        kinds: List[str] = sorted({task.kind for task in tasks})
+        kinds: List[str] = sorted({kind for task in tasks for kind in (task.kind, *task.layers)})
         return {
             kind: made(f"{robot_id}: behaviour {kind!r}", self._behaviours[kind], setup, *_BEHAVIOUR) for kind in kinds
         }

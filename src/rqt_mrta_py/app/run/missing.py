@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Mapping, Optional
+from typing import Any, Mapping, Optional, Tuple
 
 from rqt_mrta_py.model import Task
 from rqt_mrta_py.wording import accepted
 
-__all__ = ["missing_agents", "missing_behaviour", "missing_planner"]
+__all__ = ["missing_agents", "missing_behaviour", "missing_layers", "missing_planner"]
 
 
 def missing_agents(package: str, factories: Mapping[str, Any]) -> Optional[str]:
@@ -33,6 +33,23 @@ def missing_behaviour(task: Task, factories: Mapping[str, Any]) -> Optional[str]
     if task.kind in factories:
         return None
     return f"no plugin provides a behaviour for its kind {task.kind!r}; {accepted(task.kind, sorted(factories))}"
+
+
+def missing_layers(task: Task, factories: Mapping[str, Any]) -> Tuple[str, ...]:
+    """Say for which of a task's layers nobody provides a behaviour.
+
+    Args:
+        task: to be carried out.
+        factories: of behaviours, by kind.
+
+    Returns:
+        One line for each, in the task's order.
+    """
+    return tuple(
+        f"no plugin provides a behaviour for its layer {layer!r}; {accepted(layer, sorted(factories))}"
+        for layer in task.layers
+        if layer not in factories
+    )
 
 
 def missing_planner(name: str, factories: Mapping[str, Any]) -> Optional[str]:

@@ -13,7 +13,7 @@ from rqt_mrta_py.config.yaml.text import parse_yaml
 from rqt_mrta_py.model import Pose, Task, normalise_id
 from rqt_mrta_py.wording import shown
 
-__all__ = ["TASK", "check_id", "dump_task", "id_of", "read_task", "task_of"]
+__all__ = ["TASK", "check_id", "check_layers", "dump_task", "id_of", "read_task", "task_of"]
 
 TASK = Table(
     "task",
@@ -21,6 +21,13 @@ TASK = Table(
     (
         Key("id", ValueType.TEXT, "Name of the task, unique in the file."),
         Key("kind", ValueType.TEXT, "Name of the behaviour that carries it out."),
+        Key(
+            "layers",
+            ValueType.TEXTS,
+            "Kinds of behaviours above that one, from lower to higher. While one of them commands an actuator, what "
+            "those below command it does not count. What is told to each stands in `data/layers/<kind>`.",
+            default=(),
+        ),
         Key("place", ValueType.TABLE, "Where it is done; anywhere if not given.", default=None, table=PLACE),
         Key("capabilities", ValueType.TEXTS, "What a robot must be able to do.", default=()),
         Key("predecessors", ValueType.TEXTS, "Ids of tasks that must be done before.", default=()),
@@ -46,6 +53,7 @@ def read_task(text: Union[str, bytes], path: str) -> Task:
     problems = Problems(path)
     row = read_document(parse_yaml(text, path), TASK, problems)
     check_id(row, problems)
+    check_layers(row, problems)
     name = id_of(row)
     if name in [normalise_id(other) for other in row.values["predecessors"] or ()]:
         problems.add(*row.at("predecessors"), f"go round in a circle: {name} after {name}; take it out")
@@ -64,6 +72,8 @@ def dump_task(task: Task) -> str:
         sequences in its data as lists.
     """
     entry: Dict[str, Any] = {"id": _slashed(task.id), "kind": task.kind}
+    if task.layers:
+        entry["layers"] = list(task.layers)
     if task.place is not None:
         entry["place"] = _place(task.place)
     lists = {
@@ -97,6 +107,7 @@ def task_of(row: Row) -> Task:
         expected_duration=values["expected_duration"],
         perpetual=values["perpetual"],
         data=dict(values["data"]),
+        layers=values["layers"],
     )
 
 
@@ -111,6 +122,18 @@ def check_id(row: Row, problems: Problems) -> None:
     name = id_of(row)
     if name is not None and (not name or any(character.isspace() for character in name)):
         problems.add(*row.at("id"), f"must be a name without spaces (got {shown(row.values['id'])})")
+
+
+def check_layers(row: Row, problems: Problems) -> None:
+    """Note layers that stand twice, or that are the behaviour itself."""
+    kind, layers = row.values["kind"], row.values["layers"] or ()
+    for index, layer in enumerate(layers):
+        if layer == kind:
+            problems.add(
+                *row.at("layers"), f"names {layer!r}, the task's own kind, which is the lowest layer; take it out"
+            )
+        elif layer in layers[:index]:
+            problems.add(*row.at("layers"), f"names {layer!r} twice; take one of them out")
 
 
 def _place(pose: Pose) -> Dict[str, float]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Dict, List, Mapping, Tuple, Union
 
 from rqt_mrta_py.config.problems import Problems
-from rqt_mrta_py.config.tasks.task_text import TASK, check_id, id_of, task_of
+from rqt_mrta_py.config.tasks.task_text import TASK, check_id, check_layers, id_of, task_of
 from rqt_mrta_py.config.yaml.rows import Row, read_document
 from rqt_mrta_py.config.yaml.schema import Key, Table, ValueType
 from rqt_mrta_py.config.yaml.text import parse_yaml
@@ -46,6 +46,7 @@ def _check_ids(rows: List[Row], problems: Problems) -> None:
     lines: Dict[str, int] = {}
     for row in rows:
         check_id(row, problems)
+        check_layers(row, problems)
         name = id_of(row)
         if name is None:
             continue
