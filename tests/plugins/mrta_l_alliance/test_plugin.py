@@ -48,7 +48,7 @@ def test_plugin_checks_parameters_of_alliance_and_of_learning(
 
 
 def template(root: Path, package: str) -> Dict[str, str]:
-    """Give the defaults of a template by path."""
+    """Give the defaults of the robots' template by path."""
     found: Dict[str, str] = {}
 
     def walk(element: ElementTree.Element, path: str) -> None:
@@ -60,8 +60,11 @@ def template(root: Path, package: str) -> Dict[str, str]:
                 walk(child, f"{path}{name}/")
 
     document = ElementTree.parse(root / "plugins" / "architectures" / package / "rqt_mrta.xml")
-    for config in document.getroot().findall("configs/*"):
-        walk(config, "")
+    wanted = document.findtext("architecture/robots/config_id")
+    for config in document.findall("configs/*"):
+        if config.findtext("id") == wanted:
+            walk(config, "")
+    assert found
     return found
 
 
