@@ -58,7 +58,7 @@ def test_rospack_finds_every_package(space: Space) -> None:
     ("attribute", "names"),
     [
         ("architecture", {"mrta_alliance", "mrta_baselines", "mrta_l_alliance", "nearest_robot"}),
-        ("application", {"border_patrol"}),
+        ("application", {"border_patrol", "cleanup"}),
         (
             "plugin",
             {

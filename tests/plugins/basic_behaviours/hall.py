@@ -1,4 +1,4 @@
-"""A hall with things on the floor and one robot that collects them: plain geometry, no noise, made for tests."""
+"""A hall with things on the floor and one robot among them: plain geometry, no noise, made for tests."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Se
 import numpy as np
 from basic_behaviours.collect import Collect
 
-from rqt_mrta_py.hooks import BehaviourSetup, BehaviourStep
+from rqt_mrta_py.hooks import BehaviourFactory, BehaviourSetup, BehaviourStep
 from rqt_mrta_py.model import Obstacle, Pose, Progress, Task, Twist
 from rqt_mrta_py.robot import GridNavigator
 from tests.plugins.basic_behaviours.kinematics import ARENA, MODEL
@@ -54,9 +54,10 @@ class Hall:
         *,
         task: Optional[Task] = None,
         obstacles: Sequence[Obstacle] = (),
+        make: BehaviourFactory = Collect,
     ) -> None:
         navigator = GridNavigator(ARENA, obstacles, radius=CARRIER.radius)
-        self.behaviour = Collect(BehaviourSetup("robot1", CARRIER, navigator, np.random.default_rng(5)))
+        self.behaviour = make(BehaviourSetup("robot1", CARRIER, navigator, np.random.default_rng(5)))
         self.task, self.things, self.obstacles = task or collecting(), things, obstacles
         self.perceived = Perceived(start)
         self.holds = ""
