@@ -18,7 +18,7 @@ import time
 from pathlib import Path
 from typing import Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence
 
-from rqt_mrta_py.config import discover
+from rqt_mrta_py.config.discovery.search import discover
 
 __all__ = ["DiscoveryRow", "main", "measure_discovery"]
 

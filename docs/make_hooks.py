@@ -8,7 +8,7 @@ from typing import Callable, Dict, List
 
 from rqt_mrta_py.app.catalogue.plugins import hook_entries, plugin_entries
 from rqt_mrta_py.app.loading.environment import BLOCK, PATIENCE, TRACE
-from rqt_mrta_py.config import discover
+from rqt_mrta_py.config.discovery.search import discover
 from rqt_mrta_py.hooks import HookSpecs
 
 INTRODUCTION = """# Hooks

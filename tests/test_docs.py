@@ -18,7 +18,7 @@ from typing import List, Tuple
 import pytest
 
 from rqt_mrta_py.app.cli.main import _parser
-from rqt_mrta_py.config import discover
+from rqt_mrta_py.config.discovery.search import discover
 from rqt_mrta_py.hooks import HookSpecs
 from rqt_mrta_py.hooks.manager import PluginManager
 

@@ -9,7 +9,7 @@ import pytest
 
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.observation import Observation
-from rqt_mrta_py.config import discover
+from rqt_mrta_py.config.discovery.search import discover
 from rqt_mrta_py.hooks.manager import PluginManager
 from tests.hooks.garden import MISSION
 from tests.hooks.stranger import Stranger

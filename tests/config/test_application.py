@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rqt_mrta_py.config import read_application
+from rqt_mrta_py.config.xml.application import read_application
 from rqt_mrta_py.model import ApplicationRobot, ApplicationSpec, MapTemplate, ParameterTemplate
 
 

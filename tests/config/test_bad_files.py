@@ -7,7 +7,10 @@ from typing import Callable, Dict, Tuple
 
 import pytest
 
-from rqt_mrta_py.config import read_application, read_architecture, read_scenario, read_tasks
+from rqt_mrta_py.config.scenario.scenario_file import read_scenario
+from rqt_mrta_py.config.tasks.tasks_file import read_tasks
+from rqt_mrta_py.config.xml.application import read_application
+from rqt_mrta_py.config.xml.architecture import read_architecture
 from rqt_mrta_py.errors import ConfigError
 
 READERS: Dict[str, Callable[[bytes, str], object]] = {

@@ -10,7 +10,8 @@ from typing import Any, Callable, Dict, List, Optional, Sequence
 
 import pytest
 
-from rqt_mrta_py.config import RegistrationKind, Registry, discover, own_packages
+from rqt_mrta_py.config.discovery.registration import RegistrationKind, Registry
+from rqt_mrta_py.config.discovery.search import discover, own_packages
 from rqt_mrta_py.errors import DiscoveryError
 
 Write = Callable[[str, str], Path]

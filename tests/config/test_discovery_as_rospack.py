@@ -11,7 +11,8 @@ from typing import List, Set, Tuple
 
 import pytest
 
-from rqt_mrta_py.config import RegistrationKind, Registry, discover
+from rqt_mrta_py.config.discovery.registration import RegistrationKind, Registry
+from rqt_mrta_py.config.discovery.search import discover
 from tests.config.discovery_cases import CASES, HOSTS, Case
 
 KINDS = (RegistrationKind.APPLICATION, RegistrationKind.ARCHITECTURE)

@@ -7,8 +7,9 @@ from typing import Callable, List
 
 import pytest
 
-from rqt_mrta_py.config import discover, load_mission
+from rqt_mrta_py.config.discovery.search import discover
 from rqt_mrta_py.config.fitting import misfit_problems
+from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.config.yaml.lines import YamlLines
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.model import ArchitectureSpec, Task, Taxonomy

@@ -9,19 +9,16 @@ from typing import Any, Callable, Dict, List, NamedTuple, Sequence
 
 import pytest
 
-from rqt_mrta_py.config import (
-    RegistrationKind,
-    parse_parameters,
-    read_application,
-    read_architecture,
-    read_manifest,
-    read_scenario,
-    read_tasks,
-    write_application,
-    write_architecture,
-)
+from rqt_mrta_py.config.discovery.manifest import read_manifest
+from rqt_mrta_py.config.discovery.registration import RegistrationKind
 from rqt_mrta_py.config.packages.answers import read_answers
 from rqt_mrta_py.config.packages.checks import Surroundings, find_problems
+from rqt_mrta_py.config.parameters.parameter_file import parse_parameters
+from rqt_mrta_py.config.scenario.scenario_file import read_scenario
+from rqt_mrta_py.config.tasks.tasks_file import read_tasks
+from rqt_mrta_py.config.xml.application import read_application
+from rqt_mrta_py.config.xml.architecture import read_architecture
+from rqt_mrta_py.config.xml.writing import write_application, write_architecture
 from rqt_mrta_py.errors import ConfigError, Problem
 from tests.config.mutations import mutated_xml, mutated_yaml
 from tests.conftest import ROOT

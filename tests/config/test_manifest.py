@@ -8,7 +8,8 @@ from typing import Callable, List, Tuple
 
 import pytest
 
-from rqt_mrta_py.config import Manifest, RegistrationKind, read_manifest
+from rqt_mrta_py.config.discovery.manifest import Manifest, read_manifest
+from rqt_mrta_py.config.discovery.registration import RegistrationKind
 from rqt_mrta_py.errors import ConfigError
 
 Write = Callable[[str, str], Path]

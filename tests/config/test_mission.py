@@ -7,7 +7,10 @@ from typing import Any, Callable, Dict, List, Sequence, Tuple
 
 import pytest
 
-from rqt_mrta_py.config import Registry, discover, dump_parameters, load_mission, load_observed, mission_from_texts
+from rqt_mrta_py.config.discovery.registration import Registry
+from rqt_mrta_py.config.discovery.search import discover
+from rqt_mrta_py.config.mission import load_mission, load_observed, mission_from_texts
+from rqt_mrta_py.config.parameters.parameter_file import dump_parameters
 from rqt_mrta_py.errors import ConfigError, DiscoveryError
 from rqt_mrta_py.model import Task
 

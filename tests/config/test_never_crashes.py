@@ -8,14 +8,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rqt_mrta_py.config import (
-    mission_from_texts,
-    parse_parameters,
-    read_application,
-    read_architecture,
-    read_scenario,
-    read_tasks,
-)
+from rqt_mrta_py.config.mission import mission_from_texts
+from rqt_mrta_py.config.parameters.parameter_file import parse_parameters
+from rqt_mrta_py.config.scenario.scenario_file import read_scenario
+from rqt_mrta_py.config.tasks.tasks_file import read_tasks
+from rqt_mrta_py.config.xml.application import read_application
+from rqt_mrta_py.config.xml.architecture import read_architecture
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import MissionTexts
 

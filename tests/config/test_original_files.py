@@ -8,16 +8,13 @@ from typing import Any, Callable, List, Sequence
 
 import pytest
 
-from rqt_mrta_py.config import (
-    ParameterContext,
-    read_application,
-    read_architecture,
-    read_manifest,
-    resolve_parameters,
-    write_application,
-    write_architecture,
-)
+from rqt_mrta_py.config.discovery.manifest import read_manifest
+from rqt_mrta_py.config.parameters.context import ParameterContext
 from rqt_mrta_py.config.parameters.layers import yaml_layer
+from rqt_mrta_py.config.parameters.resolving import resolve_parameters
+from rqt_mrta_py.config.xml.application import read_application
+from rqt_mrta_py.config.xml.architecture import read_architecture
+from rqt_mrta_py.config.xml.writing import write_application, write_architecture
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.model import (
     ApplicationRobot,

@@ -10,18 +10,13 @@ import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rqt_mrta_py.config import (
-    ParameterContext,
-    ResolvedParameters,
-    dump_parameters,
-    locate_problems,
-    parse_parameters,
-    read_application,
-    read_architecture,
-    resolve_parameters,
-)
+from rqt_mrta_py.config.parameters.context import ParameterContext
 from rqt_mrta_py.config.parameters.layers import Layer, split_overrides, xml_layer, yaml_layer
+from rqt_mrta_py.config.parameters.parameter_file import dump_parameters, parse_parameters
+from rqt_mrta_py.config.parameters.resolving import ResolvedParameters, locate_problems, resolve_parameters
 from rqt_mrta_py.config.parameters.values import check_value, parse_text
+from rqt_mrta_py.config.xml.application import read_application
+from rqt_mrta_py.config.xml.architecture import read_architecture
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ConfigTemplate, ParameterType
 

@@ -7,7 +7,9 @@ from typing import Callable
 
 import pytest
 
-from rqt_mrta_py.config import Team, config_name, read_application, read_architecture, resolve_shared
+from rqt_mrta_py.config.parameters.team import Team, config_name, resolve_shared
+from rqt_mrta_py.config.xml.application import read_application
+from rqt_mrta_py.config.xml.architecture import read_architecture
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.model import Task
 

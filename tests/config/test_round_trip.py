@@ -10,8 +10,10 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from lxml import etree
 
-from rqt_mrta_py.config import read_application, read_architecture, write_application, write_architecture
 from rqt_mrta_py.config.schema.shipped import grammars
+from rqt_mrta_py.config.xml.application import read_application
+from rqt_mrta_py.config.xml.architecture import read_architecture
+from rqt_mrta_py.config.xml.writing import write_application, write_architecture
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.model import (
     ApplicationRobot,

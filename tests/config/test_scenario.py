@@ -6,9 +6,9 @@ from typing import List
 
 import pytest
 
-from rqt_mrta_py.config import read_scenario
 from rqt_mrta_py.config.scenario.event_form import EVENT
 from rqt_mrta_py.config.scenario.form import SCENARIO_FILE
+from rqt_mrta_py.config.scenario.scenario_file import read_scenario
 from rqt_mrta_py.config.tasks.tasks_file import TASKS_FILE
 from rqt_mrta_py.config.yaml.schema import Key, Table, ValueType
 from rqt_mrta_py.errors import ConfigError

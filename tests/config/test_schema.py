@@ -13,14 +13,17 @@ import yaml
 from lxml import etree
 
 import rqt_mrta_py.config.schema
-from rqt_mrta_py.config import read_application, read_architecture, read_scenario, read_tasks
 from rqt_mrta_py.config.discovery import manifest
+from rqt_mrta_py.config.scenario.scenario_file import read_scenario
 from rqt_mrta_py.config.schema.application_form import APPLICATION_FILE
 from rqt_mrta_py.config.schema.architecture_form import ARCHITECTURE_FILE
 from rqt_mrta_py.config.schema.exports import EXPORTS
 from rqt_mrta_py.config.schema.forms import Content, ElementForm, XmlForm
 from rqt_mrta_py.config.schema.relax_ng import HIGHEST_NUMBER, relax_ng
 from rqt_mrta_py.config.schema.shipped import XML_FORMS, grammars
+from rqt_mrta_py.config.tasks.tasks_file import read_tasks
+from rqt_mrta_py.config.xml.application import read_application
+from rqt_mrta_py.config.xml.architecture import read_architecture
 from rqt_mrta_py.errors import ConfigError
 from tests.conftest import ROOT
 

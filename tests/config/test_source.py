@@ -7,7 +7,7 @@ from typing import Callable
 
 import pytest
 
-from rqt_mrta_py.config import RegistrationKind, Registry
+from rqt_mrta_py.config.discovery.registration import RegistrationKind, Registry
 from rqt_mrta_py.config.discovery.source import Source, find_source
 from rqt_mrta_py.errors import DiscoveryError
 

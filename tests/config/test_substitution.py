@@ -6,9 +6,11 @@ from typing import Any, Dict, Sequence
 
 import pytest
 
-from rqt_mrta_py.config import ParameterContext, read_architecture, resolve_parameters
+from rqt_mrta_py.config.parameters.context import ParameterContext
 from rqt_mrta_py.config.parameters.layers import Layer, xml_layer, yaml_layer
+from rqt_mrta_py.config.parameters.resolving import resolve_parameters
 from rqt_mrta_py.config.substitution import has_token, substitute
+from rqt_mrta_py.config.xml.architecture import read_architecture
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.model import ConfigTemplate
 

@@ -9,7 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rqt_mrta_py.config import dump_task, read_task, read_tasks
+from rqt_mrta_py.config.tasks.task_text import dump_task, read_task
+from rqt_mrta_py.config.tasks.tasks_file import read_tasks
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.model import Pose, Task
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rqt_mrta_py.config import read_architecture
+from rqt_mrta_py.config.xml.architecture import read_architecture
 from rqt_mrta_py.config.xml.text import decode_xml, parse_xml
 from rqt_mrta_py.errors import ConfigError
 

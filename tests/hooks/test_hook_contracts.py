@@ -18,7 +18,8 @@ from rqt_mrta_py.app.outputs.picture_files import PictureFiles
 from rqt_mrta_py.app.outputs.pictures import PictureSchedule
 from rqt_mrta_py.app.run.embedded import EmbeddedRun
 from rqt_mrta_py.app.run.watch import WatchPlan, open_watch
-from rqt_mrta_py.config import discover, load_mission
+from rqt_mrta_py.config.discovery.search import discover
+from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.hooks import Stamped
 from rqt_mrta_py.hooks.contract import HOOKS

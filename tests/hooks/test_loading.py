@@ -8,7 +8,7 @@ from typing import Callable, Iterator
 
 import pytest
 
-from rqt_mrta_py.config import Registration, RegistrationKind
+from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind
 from rqt_mrta_py.errors import HookError
 from rqt_mrta_py.hooks.loading import load_plugin, load_plugins
 from rqt_mrta_py.hooks.manager import PluginManager

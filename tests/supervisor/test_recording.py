@@ -8,7 +8,7 @@ from typing import Callable, List, Tuple
 
 import pytest
 
-from rqt_mrta_py.config import read_architecture
+from rqt_mrta_py.config.xml.architecture import read_architecture
 from rqt_mrta_py.hooks import InterpreterSetup
 from rqt_mrta_py.model import ApplicationRobot, ApplicationSpec, Event, Mission, MissionRecord, RobotState, Task
 from rqt_mrta_py.supervisor import Supervisor

@@ -14,7 +14,7 @@ from rqt_mrta_py.app.loading.blocking import is_blocked, warn_of_blocking
 from rqt_mrta_py.app.loading.environment import plugin_settings
 from rqt_mrta_py.app.loading.own_plugins import OWN_PLUGINS
 from rqt_mrta_py.app.loading.registry import registry_only
-from rqt_mrta_py.config import Registry
+from rqt_mrta_py.config.discovery.registration import Registry
 from rqt_mrta_py.errors import HookError, Problem
 from rqt_mrta_py.hooks import Codec, Renderer
 from rqt_mrta_py.hooks.loading import load_plugins

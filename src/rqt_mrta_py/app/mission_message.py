@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any, Mapping, Optional
 
 from rqt_mrta_py.app.selection import with_robots
-from rqt_mrta_py.config import dump_parameters, mission_from_texts
+from rqt_mrta_py.config.mission import mission_from_texts
+from rqt_mrta_py.config.parameters.parameter_file import dump_parameters
 from rqt_mrta_py.hooks import Outgoing
 from rqt_mrta_py.model import Mission, MissionTexts
 

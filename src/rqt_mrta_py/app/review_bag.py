@@ -19,7 +19,7 @@ from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.app.outputs.picture_files import PictureFiles, check_film, open_film
 from rqt_mrta_py.app.outputs.pictures import period_in_ticks
 from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch, write_results
-from rqt_mrta_py.config import load_mission, load_observed
+from rqt_mrta_py.config.mission import load_mission, load_observed
 from rqt_mrta_py.errors import TransportError, UsageError
 from rqt_mrta_py.hooks import Codec, Listener, Renderer, Stamped
 from rqt_mrta_py.model import Mission

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, List
 
-from rqt_mrta_py.config import write_whole
+from rqt_mrta_py.config.files import write_whole
 from rqt_mrta_py.errors import RenderError
 from rqt_mrta_py.render.libraries import opencv
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Callable, Dict, Mapping, Optional, Sequence, Tuple
 
-from rqt_mrta_py.config import read_task
+from rqt_mrta_py.config.tasks.task_text import read_task
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.hooks import Heard, RobotModel, RobotSight, SceneView, Subscription
 from rqt_mrta_py.model import Mission, Pose, Progress, Task, normalise_id

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import NamedTuple, Optional, Union
 
-from rqt_mrta_py.config import read_task
+from rqt_mrta_py.config.tasks.task_text import read_task
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.hooks import Heard, Outgoing, Subscription
 from rqt_mrta_py.model import Progress, Task, normalise_id

@@ -6,7 +6,7 @@ from typing import Callable, List, Mapping, Optional, Sequence
 
 import yaml
 
-from rqt_mrta_py.config import dump_task
+from rqt_mrta_py.config.tasks.task_text import dump_task
 from rqt_mrta_py.hooks import Outgoing
 from rqt_mrta_py.model import Progress, ScenarioEvent, ScenarioEventKind, ScenarioSpec, Task
 from rqt_mrta_py.sim.radio import radio_of

@@ -10,7 +10,8 @@ from typing import Dict, List
 import pytest
 import yaml
 
-from rqt_mrta_py.config import discover, load_mission
+from rqt_mrta_py.config.discovery.search import discover
+from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.config.xml.writing import write_application
 from rqt_mrta_py.model import ApplicationRobot, ApplicationSpec
 from tests.app.cli.conftest import Command

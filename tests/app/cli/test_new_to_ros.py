@@ -11,7 +11,8 @@ from typing import Dict, Iterator
 import pytest
 import yaml
 
-from rqt_mrta_py.config import discover, load_mission
+from rqt_mrta_py.config.discovery.search import discover
+from rqt_mrta_py.config.mission import load_mission
 from tests.app.cli.conftest import Command
 from tests.ros_master import running_master, say
 

@@ -11,7 +11,8 @@ import pytest
 import yaml
 from lxml import etree
 
-from rqt_mrta_py.config import read_application, read_architecture
+from rqt_mrta_py.config.xml.application import read_application
+from rqt_mrta_py.config.xml.architecture import read_architecture
 from rqt_mrta_py.errors import ConfigError
 from tests.app.doctor.combining import Combined, combine
 from tests.app.doctor.conftest import Workspace

@@ -7,7 +7,8 @@ from typing import Any, Callable
 
 import pytest
 
-from rqt_mrta_py.config import Registry, discover
+from rqt_mrta_py.config.discovery.registration import Registry
+from rqt_mrta_py.config.discovery.search import discover
 from rqt_mrta_py.config.editing.configuring import Configuration, plan_configuration
 from tests.config.editing.yard import APPLICATION, ARCHITECTURE, FILES, MANIFEST, SCENARIO, TASKS
 

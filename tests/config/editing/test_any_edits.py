@@ -9,11 +9,12 @@ from typing import Any, Dict, List
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from rqt_mrta_py.config import discover, load_mission
+from rqt_mrta_py.config.discovery.search import discover
 from rqt_mrta_py.config.editing.configuring import plan_configuration
 from rqt_mrta_py.config.editing.robots import AddRobot, RemoveRobot, RenameRobot
 from rqt_mrta_py.config.editing.tasks import AddTask, RemoveTask, RenameTask
 from rqt_mrta_py.config.editing.values import SetValue, UnsetValue
+from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.errors import ConfigError
 from tests.config.editing.yard import APPLICATION, ARCHITECTURE, FILES, MANIFEST, SCENARIO, TASKS
 

@@ -6,12 +6,13 @@ from typing import Callable, Dict
 import pytest
 import yaml
 
-from rqt_mrta_py.config import RegistrationKind, Registry, load_mission
+from rqt_mrta_py.config.discovery.registration import RegistrationKind, Registry
 from rqt_mrta_py.config.editing.configuring import Configuration
 from rqt_mrta_py.config.editing.draft import Draft
 from rqt_mrta_py.config.editing.robots import AddRobot, RemoveRobot, RenameRobot
 from rqt_mrta_py.config.editing.values import SetValue
 from rqt_mrta_py.config.files import write_together
+from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.errors import ConfigError, UsageError
 
 Configure = Callable[..., Configuration]

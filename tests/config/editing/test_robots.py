@@ -6,10 +6,11 @@ from typing import Callable, Dict
 import pytest
 import yaml
 
-from rqt_mrta_py.config import Registry, load_mission
+from rqt_mrta_py.config.discovery.registration import Registry
 from rqt_mrta_py.config.editing.configuring import Configuration
 from rqt_mrta_py.config.editing.robots import AddRobot, RemoveRobot, RenameRobot
 from rqt_mrta_py.config.editing.values import SetValue
+from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.errors import ConfigError
 from tests.config.editing.yard import APPLICATION, SCENARIO
 

@@ -6,11 +6,14 @@ from typing import Any, Callable, Dict
 import pytest
 import yaml
 
-from rqt_mrta_py.config import Registry, discover, load_mission, read_tasks
+from rqt_mrta_py.config.discovery.registration import Registry
+from rqt_mrta_py.config.discovery.search import discover
 from rqt_mrta_py.config.editing.configuring import Configuration, plan_configuration
 from rqt_mrta_py.config.editing.robots import AddRobot, RemoveRobot, RenameRobot
 from rqt_mrta_py.config.editing.tasks import AddTask, RemoveTask, RenameTask
 from rqt_mrta_py.config.editing.values import SetValue
+from rqt_mrta_py.config.mission import load_mission
+from rqt_mrta_py.config.tasks.tasks_file import read_tasks
 from rqt_mrta_py.errors import ConfigError
 from tests.config.editing.yard import APPLICATION, SCENARIO, TASKS
 

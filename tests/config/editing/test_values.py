@@ -5,9 +5,10 @@ from typing import Callable
 
 import pytest
 
-from rqt_mrta_py.config import Registry, load_mission
+from rqt_mrta_py.config.discovery.registration import Registry
 from rqt_mrta_py.config.editing.configuring import Configuration
 from rqt_mrta_py.config.editing.values import SetValue, UnsetValue
+from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.errors import ConfigError
 from tests.config.editing.yard import APPLICATION
 

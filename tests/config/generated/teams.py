@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Tuple
 
-from rqt_mrta_py.config import Team
+from rqt_mrta_py.config.parameters.team import Team
 from rqt_mrta_py.model import (
     ApplicationRobot,
     ApplicationSpec,

@@ -7,9 +7,9 @@ import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rqt_mrta_py.config import parse_parameters
 from rqt_mrta_py.config.generated.marks import is_generated
 from rqt_mrta_py.config.generated.parameter_text import parameter_text
+from rqt_mrta_py.config.parameters.parameter_file import parse_parameters
 
 NAMES = st.from_regex(r"[a-z][a-z0-9_]{0,8}", fullmatch=True)
 TEXTS = st.text(st.characters(blacklist_categories=("Cs",)), max_size=12)

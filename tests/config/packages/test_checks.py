@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rqt_mrta_py.config import RegistrationKind
+from rqt_mrta_py.config.discovery.registration import RegistrationKind
 from rqt_mrta_py.config.packages.answers import Answers, read_answers
 from rqt_mrta_py.config.packages.checks import Surroundings, find_problems, wrong_with
 from rqt_mrta_py.errors import ConfigError

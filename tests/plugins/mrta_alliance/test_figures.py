@@ -12,7 +12,7 @@ from mrta_alliance.inner_life import FLAGS
 
 from rqt_mrta_py.app.compose import compose
 from rqt_mrta_py.app.observation import Observation
-from rqt_mrta_py.config import load_observed
+from rqt_mrta_py.config.mission import load_observed
 from rqt_mrta_py.hooks import Chart, Figure, FigureSetup, Heard, Line, LineStyle
 from rqt_mrta_py.model import (
     ApplicationRobot,

@@ -17,7 +17,9 @@ from mrta_alliance.parameters import (
 )
 from mrta_alliance.reading import find_problems, read_parameters
 
-from rqt_mrta_py.config import ParameterContext, read_architecture, resolve_parameters
+from rqt_mrta_py.config.parameters.context import ParameterContext
+from rqt_mrta_py.config.parameters.resolving import resolve_parameters
+from rqt_mrta_py.config.xml.architecture import read_architecture
 from tests.plugins.mrta_alliance.team import behaviour_set, nested
 
 ORIGINAL = """

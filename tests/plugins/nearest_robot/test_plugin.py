@@ -16,7 +16,8 @@ from nearest_robot.interpreter import NearestRobotInterpreter
 from nearest_robot.panel import CostPanel
 from nearest_robot.parameters import NearestRobotParameters, read_parameters
 
-from rqt_mrta_py.config import discover, load_mission
+from rqt_mrta_py.config.discovery.search import discover
+from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.hooks import BenchmarkTable, Experiment, Trial
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import ArchitectureSpec, Task

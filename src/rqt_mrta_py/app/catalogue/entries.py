@@ -5,14 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Dict, List, Optional, Tuple
 
-from rqt_mrta_py.config import (
-    Registration,
-    RegistrationKind,
-    Registry,
-    read_application,
-    read_architecture,
-)
+from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind, Registry
 from rqt_mrta_py.config.files import read_file
+from rqt_mrta_py.config.xml.application import read_application
+from rqt_mrta_py.config.xml.architecture import read_architecture
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ApplicationSpec, ArchitectureSpec, Taxonomy
 

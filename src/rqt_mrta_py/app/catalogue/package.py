@@ -7,10 +7,12 @@ from typing import Any, Dict, List, NamedTuple, Sequence, Tuple
 from rqt_mrta_py.app.catalogue.description import describe_application, describe_architecture
 from rqt_mrta_py.app.catalogue.entries import application_of, architecture_of
 from rqt_mrta_py.app.catalogue.parameter_rows import resolved_rows, written_rows
-from rqt_mrta_py.config import Registration, RegistrationKind, Registry, read_scenario, read_tasks
+from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind, Registry
 from rqt_mrta_py.config.discovery.source import find_registrations
 from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.config.loading import load_team
+from rqt_mrta_py.config.scenario.scenario_file import read_scenario
+from rqt_mrta_py.config.tasks.tasks_file import read_tasks
 from rqt_mrta_py.errors import ConfigError, DiscoveryError, Problem
 from rqt_mrta_py.model import ApplicationSpec, Task
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple
 
-from rqt_mrta_py.config import ResolvedParameters, Team, config_name, resolve_shared, resolve_team
+from rqt_mrta_py.config.parameters.resolving import ResolvedParameters
+from rqt_mrta_py.config.parameters.team import Team, config_name, resolve_shared, resolve_team
 from rqt_mrta_py.model import ArrayTemplate, ConfigTemplate, MapTemplate, ParameterTemplate, TemplateItem
 
 __all__ = ["resolved_rows", "template_rows", "unit_of", "written_rows"]

@@ -8,7 +8,7 @@ from typing import Dict, List, Optional, Sequence, Tuple
 
 from rqt_mrta_py.app.loading.blocking import is_blocked
 from rqt_mrta_py.app.loading.own_plugins import OWN_PACKAGE, OWN_PLUGINS
-from rqt_mrta_py.config import Registration, RegistrationKind, Registry
+from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind, Registry
 
 __all__ = ["PluginEntry", "hook_entries", "plugin_entries", "surveyed"]
 

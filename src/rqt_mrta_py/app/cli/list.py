@@ -40,7 +40,7 @@ def main(options: argparse.Namespace) -> int:
     from rqt_mrta_py.app.loading.blocking import warn_of_blocking
     from rqt_mrta_py.app.loading.environment import plugin_settings
     from rqt_mrta_py.app.loading.registry import registry_only
-    from rqt_mrta_py.config import RegistrationKind
+    from rqt_mrta_py.config.discovery.registration import RegistrationKind
     from rqt_mrta_py.model import Taxonomy
 
     wanted = parse_filter(options.type)

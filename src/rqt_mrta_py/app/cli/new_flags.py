@@ -12,7 +12,7 @@ from rqt_mrta_py.app.cli.common import positive
 from rqt_mrta_py.wording import shown
 
 if TYPE_CHECKING:
-    from rqt_mrta_py.config import RegistrationKind
+    from rqt_mrta_py.config.discovery.registration import RegistrationKind
     from rqt_mrta_py.config.packages.answers import Answers
     from rqt_mrta_py.config.packages.entries import RobotEntry, TaskEntry
     from rqt_mrta_py.config.packages.origin import Origin

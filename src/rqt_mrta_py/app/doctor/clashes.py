@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Dict, Iterator, List, Set
 
 from rqt_mrta_py.app.doctor.subject import Subject
-from rqt_mrta_py.config import own_packages, read_manifest
-from rqt_mrta_py.config.discovery.manifest import HOSTS, MANIFEST, ROSBUILD_MANIFEST
+from rqt_mrta_py.config.discovery.manifest import HOSTS, MANIFEST, ROSBUILD_MANIFEST, read_manifest
+from rqt_mrta_py.config.discovery.search import own_packages
 from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.config.xml.text import line_of
 from rqt_mrta_py.errors import ConfigError, Problem

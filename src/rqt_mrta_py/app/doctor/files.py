@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Iterator
 
 from rqt_mrta_py.app.doctor.subject import Subject
-from rqt_mrta_py.config import read_manifest
+from rqt_mrta_py.config.discovery.manifest import read_manifest
 from rqt_mrta_py.errors import Problem
 
 __all__ = ["check_files"]

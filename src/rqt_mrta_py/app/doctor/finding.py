@@ -8,8 +8,8 @@ from typing import Dict, Iterator, List, Mapping, NamedTuple, Sequence, Tuple
 
 from rqt_mrta_py.app.compose import Host, compose
 from rqt_mrta_py.app.doctor.subject import Subject
-from rqt_mrta_py.config import discover, own_packages, read_manifest
-from rqt_mrta_py.config.discovery.manifest import HOSTS, MANIFEST, ROSBUILD_MANIFEST
+from rqt_mrta_py.config.discovery.manifest import HOSTS, MANIFEST, ROSBUILD_MANIFEST, read_manifest
+from rqt_mrta_py.config.discovery.search import discover, own_packages
 from rqt_mrta_py.config.discovery.source import find_registrations
 from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.errors import ConfigError, DiscoveryError, Problem

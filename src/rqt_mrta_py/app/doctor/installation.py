@@ -7,8 +7,8 @@ from typing import Iterator, List, NamedTuple, Tuple
 
 from rqt_mrta_py.app.doctor.install_rules import InstallRules, read_install_rules
 from rqt_mrta_py.app.doctor.subject import Subject
-from rqt_mrta_py.config import RegistrationKind
 from rqt_mrta_py.config.discovery.manifest import MANIFEST
+from rqt_mrta_py.config.discovery.registration import RegistrationKind
 from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.errors import Problem
 

@@ -9,12 +9,13 @@ from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
 from lxml import etree
 
 from rqt_mrta_py.app.compose import Host
-from rqt_mrta_py.config import Registration, RegistrationKind, Team
 from rqt_mrta_py.config.discovery.manifest import drop_namespace
+from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind
 from rqt_mrta_py.config.discovery.source import Source, find_source
 from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.config.gaps import Gaps
 from rqt_mrta_py.config.loading import attempt, listed_tasks, scenario_of, unlisted_tasks, yaml_text
+from rqt_mrta_py.config.parameters.team import Team
 from rqt_mrta_py.config.scenario.scenario_file import read_scenario
 from rqt_mrta_py.config.xml.application import ApplicationFile, read_application_partly
 from rqt_mrta_py.config.xml.architecture import read_architecture_partly

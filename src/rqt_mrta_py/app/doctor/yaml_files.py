@@ -7,14 +7,21 @@ from typing import Any, Dict, Iterator, List, Sequence, Tuple
 
 from rqt_mrta_py.app.catalogue.entries import architecture_of
 from rqt_mrta_py.app.doctor.subject import ApplicationFiles, Subject
-from rqt_mrta_py.config import Team, config_name, resolve_shared, resolve_team
 from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind
 from rqt_mrta_py.config.files import read_file, read_if_there
 from rqt_mrta_py.config.generated.files import generated_files
 from rqt_mrta_py.config.generated.marks import is_generated
 from rqt_mrta_py.config.parameters.lookup import leaves
 from rqt_mrta_py.config.parameters.resolving import ResolvedParameters
-from rqt_mrta_py.config.parameters.team import FileReader, file_name, no_files
+from rqt_mrta_py.config.parameters.team import (
+    FileReader,
+    Team,
+    config_name,
+    file_name,
+    no_files,
+    resolve_shared,
+    resolve_team,
+)
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.wording import accepted, shown
 

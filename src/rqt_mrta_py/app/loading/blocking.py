@@ -7,7 +7,7 @@ from typing import Dict, Sequence, Tuple
 
 from rqt_mrta_py.app.loading.environment import BLOCK
 from rqt_mrta_py.app.loading.own_plugins import OWN_PACKAGE
-from rqt_mrta_py.config import Registration, RegistrationKind, Registry
+from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind, Registry
 from rqt_mrta_py.wording import accepted
 
 __all__ = ["is_blocked", "warn_of_blocking"]

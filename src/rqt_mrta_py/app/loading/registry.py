@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 
-from rqt_mrta_py.config import Registry, discover
+from rqt_mrta_py.config.discovery.registration import Registry
+from rqt_mrta_py.config.discovery.search import discover
 
 __all__ = ["registry_only"]
 

@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 from typing import Any, Iterable, Mapping, Optional
 
-from rqt_mrta_py.config import write_whole
+from rqt_mrta_py.config.files import write_whole
 from rqt_mrta_py.errors import MrtaError, UsageError
 
 __all__ = ["OutputError", "OutputFolder", "safe_file_name"]
