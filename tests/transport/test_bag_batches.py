@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import tempfile
 from pathlib import Path
-from typing import Any, List, Sequence, Tuple
+from typing import Any, List, Optional, Sequence, Tuple
 
 import pytest
 from hypothesis import given, settings
@@ -202,10 +202,12 @@ def test_a_batch_whose_chunk_is_interrupted_is_written_once_all_the_same(
 
 
 class _Interrupted(List[Any]):
-    """A list that refuses one connection's messages."""
+    """A list that does not take in one connection's messages."""
+
+    refused: Optional[int] = 20
 
     def append(self, single: Any) -> None:
-        if single[0] == 20:
+        if single[0] == self.refused:
             raise KeyboardInterrupt
         super().append(single)
 
@@ -215,10 +217,10 @@ def test_a_connection_that_was_interrupted_is_described_before_its_messages(tmp_
     members = team(40)
     stream = said_by(members, SECOND)
     writer = BagWriter(tmp_path / "m.bag")
-    writer._pending.singles = _Interrupted()
+    singles = writer._singles = writer._pending.singles = _Interrupted()
     with pytest.raises(KeyboardInterrupt):
         write_together(writer, stream)
-    writer._pending.singles = list(writer._pending.singles)
+    singles.refused = None
     again = [*said_by(members[20:21] * 40, SECOND + 100), *said_by(members[20:21] * 40, SECOND + 200)]
     write_together(writer, again)
     writer.checkpoint()

@@ -127,8 +127,9 @@ def _build_indexes(numbers: NDArray[np.int64], entries: NDArray[Any]) -> Tuple[m
     ends = np.cumsum(lengths)
     indexes = np.empty(int(ends[-1]), np.uint8)
     INDEX_HEADERS.put(indexes, ends - lengths, {"connection": found, "count": counts, "size": sizes})
-    headers_before = np.repeat(np.arange(1, len(found) + 1), counts)
-    places = np.arange(len(order)) * _ENTRY.itemsize + headers_before * INDEX_HEADERS.length
+    # An entry stands behind those before it, and behind the headers of its connection and of those before that.
+    headers = np.arange(1, len(found) + 1) * INDEX_HEADERS.length
+    places = np.arange(len(order)) * _ENTRY.itemsize + np.repeat(headers, counts)
     put(indexes, places, entries.take(order).view(f"V{_ENTRY.itemsize}"))
     pairs = np.empty((len(found), 2), "<u4")
     pairs[:, 0], pairs[:, 1] = found, counts

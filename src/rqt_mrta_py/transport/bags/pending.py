@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from operator import itemgetter
-from typing import List, NamedTuple, Tuple
+from typing import List, NamedTuple, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,14 +41,14 @@ class Columns(NamedTuple):
         numbers: of their connections, shape (messages,).
         receipts: when they were received, shape (messages,) [ns].
         sizes: of each, shape (messages,) [bytes].
-        singles: which of them stand in no block.
+        singles: selects those that stand in no block.
         raws: the bytes of those.
     """
 
     numbers: NDArray[np.int64]
     receipts: NDArray[np.int64]
     sizes: NDArray[np.int64]
-    singles: NDArray[np.intp]
+    singles: Union[slice, NDArray[np.bool_]]
     raws: List[bytes]
 
 
@@ -87,11 +87,12 @@ class Pending:
         """Look at all of them."""
         count = len(self)
         numbers, receipts, sizes = np.empty((3, count), np.int64)
-        alone = np.ones(count, np.bool_)
-        for before, _, of_block, receipt_ns, content in self.blocks:
-            its = slice(before, before + len(of_block))
-            numbers[its], receipts[its], sizes[its], alone[its] = of_block, receipt_ns, content.itemsize, False
-        singles = np.flatnonzero(alone)
+        singles: Union[slice, NDArray[np.bool_]] = slice(None)
+        if self.blocks:
+            singles = np.ones(count, np.bool_)
+            for before, _, of_block, receipt_ns, content in self.blocks:
+                its = slice(before, before + len(of_block))
+                numbers[its], receipts[its], sizes[its], singles[its] = of_block, receipt_ns, content.itemsize, False
         raws = list(map(_raw, self.singles))
         for column, values in (
             (numbers, map(_number, self.singles)),

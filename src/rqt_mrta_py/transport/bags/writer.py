@@ -101,6 +101,7 @@ class BagWriter:
         self._since_ns = self._until_ns = 0
         self._chunk_bytes = 0
         self._pending = Pending()
+        self._singles = self._pending.singles
         self._numbering = Numbering(self.path)
         self._recognised = self._numbering.recognised
         self._written: List[_Written] = [_Written(b"", FILE_HEADER_END, 0)]
@@ -141,7 +142,7 @@ class BagWriter:
             self._introduce(stamped)
         else:
             self._chunk_bytes += _HEADER_BYTES + size
-            self._pending.singles.append((number, receipt_ns, raw))
+            self._singles.append((number, receipt_ns, raw))
 
     def write_batch(self, batch: Batch) -> None:
         """Write messages one after another; the bag is the same, and so are errors.
@@ -169,7 +170,7 @@ class BagWriter:
         """
         if not self._pending:
             return
-        known = len(self._written)
+        known, fresh = len(self._written), Pending()
         try:
             chunk = build_chunk(self._pending, self._numbering.descriptions, self._written[-1].described)
             data = compress(self._compression, chunk.body)
@@ -181,7 +182,7 @@ class BagWriter:
         finally:
             # After an interrupt the bag goes on: a chunk counts as written, or its messages wait on.
             if len(self._written) > known:
-                self._pending, self._chunk_bytes = Pending(), 0
+                self._pending, self._singles, self._chunk_bytes = fresh, fresh.singles, 0
 
     def close(self) -> None:
         """Write the index and give the bag its name; safe to call twice.
@@ -217,6 +218,7 @@ class BagWriter:
         self._closed = True
         self._until_ns = self._since_ns
         self._pending = Pending()
+        self._singles = self._pending.singles
         self._let_go()
         with suppress(OSError):
             self.active_path.unlink()
@@ -274,7 +276,7 @@ class BagWriter:
         size = len(batch.content) + _HEADER_BYTES * len(batch)
         if self._chunk_bytes + size <= _CHUNK_BYTES:
             self._chunk_bytes += size
-            self._pending.singles.extend(zip(numbers.tolist(), repeat(batch.receipt_ns), batch.raws))
+            self._singles.extend(zip(numbers.tolist(), repeat(batch.receipt_ns), batch.raws))
         else:
             for stamped in batch:
                 self.write(stamped)
@@ -288,7 +290,7 @@ class BagWriter:
             number = self._numbering.describe(connection)
             self._chunk_bytes += len(self._numbering.descriptions[number])
         self._chunk_bytes += _HEADER_BYTES + len(raw)
-        self._pending.singles.append((number, receipt_ns, raw))
+        self._singles.append((number, receipt_ns, raw))
         if new:
             # Not before a single message of it waits: a block describes nobody, and an interrupt comes at any step.
             self._recognised[id(connection)] = number
