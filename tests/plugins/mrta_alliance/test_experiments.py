@@ -234,12 +234,15 @@ def test_loss_counts_what_is_held_doubly() -> None:
         holdings: List[Holding] = [("a", "robot1", 0.0, 20.0), ("a", "robot2", 20.0 - overlap, 40.0)]
         return record({"a": 40.0 + overlap}, holdings)
 
-    missions, takeovers = measure_loss(Options(seeds=2), Bench(outcome)).tables
+    report = measure_loss(Options(seeds=2), Bench(outcome))
+    missions, takeovers = report.tables
 
     assert [row[0] for row in missions.rows] == [0, 10, 20, 30, 40, 50]
     assert [row[3] for row in missions.rows][-1] == "45.0 [45.0, 45.0]"
     assert [row[6] for row in missions.rows] == [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]
-    assert len(takeovers.rows) == 6
+    # By then robot2 alone holds the task, and nobody replaces it.
+    assert [row[2] for row in takeovers.rows] == [0] * 6
+    assert report.figures[1].charts[0].lines[0].y == (0.0,)
 
 
 def test_unequal_robots_are_compared_with_an_allocation_that_never_changes() -> None:

@@ -121,7 +121,7 @@ def _report(options: Options, courses: int, times: Dict[str, List[float]], done:
     chart = Chart(
         (estimate_line("", list(range(len(times))), means, LineStyle.BARS),),
         "time until done [s]",
-        x_ticks=tuple(label.replace(", ", ",\n") for label in times),
+        x_ticks=tuple(times),
         bottom=0.0,
     )
     figure = Figure("alliance_learning", "Ways to share tasks out", "", (chart,))

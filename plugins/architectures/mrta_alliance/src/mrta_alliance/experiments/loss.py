@@ -10,7 +10,7 @@ from mrta_alliance.experiments.measures import done_at, double_holdings
 from mrta_alliance.experiments.part import Options
 from mrta_alliance.experiments.quantiles import quantile
 from mrta_alliance.experiments.tables import MEANS, SHARES, estimate_line, estimate_text, rounded, share_text
-from mrta_alliance.experiments.takeover import takeovers
+from mrta_alliance.experiments.takeover import Takeover, takeovers
 from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Chart, Figure, Laboratory, Line, LineStyle
 from rqt_mrta_py.model import MissionRecord, RadioSetup
 
@@ -49,7 +49,7 @@ def measure_loss(options: Options, laboratory: Laboratory) -> BenchmarkReport:
             ("All else as in the table of take-over against tau.",),
         ),
     )
-    return BenchmarkReport(tables, _figures(losses, [found[loss] for loss in losses], times))
+    return BenchmarkReport(tables, _figures(losses, [found[loss] for loss in losses], by_loss))
 
 
 def _radio(loss: float) -> RadioSetup:
@@ -101,7 +101,7 @@ def _mission_table(options: Options, losses: Sequence[float], records: Sequence[
 
 
 def _figures(
-    losses: Sequence[float], records: Sequence[List[MissionRecord]], takeover_times: Sequence[List[float]]
+    losses: Sequence[float], records: Sequence[List[MissionRecord]], by_loss: Sequence[Sequence[Takeover]]
 ) -> Tuple[Figure, ...]:
     percent = [100 * loss for loss in losses]
     times = [estimated_mean([time for record in each for time in _time(record)]) for each in records]
@@ -111,10 +111,10 @@ def _figures(
         Chart((estimate_line("", percent, doubles),), "held doubly [s a mission]", bottom=0.0),
     )
     charts = []
-    for loss, taken in zip(losses, takeover_times):
-        ordered = sorted(taken)
-        shares = tuple(100.0 * (number + 1) / len(ordered) for number in range(len(ordered)))
-        charts.append(Line(f"{100 * loss:.0f} % lost", tuple(ordered), shares, style=LineStyle.STEPS))
+    for loss, each_loss in zip(losses, by_loss):
+        taken = sorted(each.time for each in each_loss if each.time is not None)
+        shares = [100.0 * number / max(1, len(each_loss)) for number in range(len(taken) + 1)]
+        charts.append(Line(f"{100 * loss:.0f} % lost", (0.0, *taken), tuple(shares), style=LineStyle.STEPS))
     return (
         Figure("alliance_loss", "Missions while messages are lost", "messages lost [%]", missions),
         Figure(

@@ -61,6 +61,6 @@ def _figure(tasks: List[str], means: Dict[Tuple[int, float], Dict[str, Any]]) ->
     for task in tasks:
         estimates = [each if isinstance(each, Estimate) else None for each in (means[key].get(task) for key in keys)]
         lines.append(estimate_line(task, list(range(len(keys))), estimates, LineStyle.BARS))
-    ticks = tuple(f"{team} robots,\nfairness {fairness:g}" for team, fairness in keys)
+    ticks = tuple(f"robots: {team}, fairness {fairness:g}" for team, fairness in keys)
     chart = Chart(tuple(lines), "share of the time [%]", x_ticks=ticks, bottom=0.0, top=105.0)
     return Figure("alliance_shares", "Perpetual tasks' shares of the time", "", (chart,))
