@@ -110,18 +110,13 @@ class Errand:
         self._begun = False
 
     @property
-    def phase(self) -> Phase:
-        """What the robot is about."""
-        return self._phase
-
-    @property
     def has_begun(self) -> bool:
         """Tell whether the robot came to the area, or went for a thing."""
         return self._begun
 
     def stand_still(self) -> BehaviourStep:
         """Stand still, and keep what is held."""
-        return BehaviourStep((Command("gripper", CLOSED),) if self._carried else ())
+        return BehaviourStep((Command("gripper", CLOSED),) if self._phase is Phase.CARRY else ())
 
     def step(self, senses: Senses) -> BehaviourStep:
         """Carry out one control tick."""
