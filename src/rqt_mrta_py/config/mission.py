@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import List, Optional, Sequence, Tuple
+from typing import Collection, List, Optional, Sequence, Tuple
 
 from rqt_mrta_py.config.discovery.registration import RegistrationKind, Registry
 from rqt_mrta_py.config.discovery.source import find_source
@@ -10,6 +10,7 @@ from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.config.fitting import misfit_problems
 from rqt_mrta_py.config.loading import attempt, load_team, scenario_of, tasks_of
 from rqt_mrta_py.config.parameters.parameter_file import parse_parameters
+from rqt_mrta_py.config.parameters.task_layers import layered_tasks
 from rqt_mrta_py.config.parameters.team import ParameterChecks, resolve_team
 from rqt_mrta_py.config.scenario.event_order import appearing_tasks
 from rqt_mrta_py.config.xml.application import read_application_file
@@ -30,6 +31,7 @@ def load_mission(
     overrides: Sequence[str] = (),
     checks: Optional[ParameterChecks] = None,
     must_fit: bool = True,
+    kinds: Optional[Collection[str]] = None,
 ) -> Mission:
     """Read everything that a mission needs.
 
@@ -41,6 +43,8 @@ def load_mission(
         overrides: parameters, each ``<robot>/<path>=<value>``.
         checks: asks plugins about the parameters; None: they are not asked.
         must_fit: refuse tasks that the architecture does not solve; what has been run already need not fit.
+        kinds: of behaviours that there are, to know layers by that a config of the whole team lists for tasks; None:
+            they are not looked for.
 
     Raises:
         DiscoveryError: application or architecture is not registered, and no file either.
@@ -55,10 +59,11 @@ def load_mission(
             misfit_problems(team.architecture, team.tasks, loaded.texts.tasks_yaml, str(loaded.tasks_file or ""))
         )
     resolved = attempt(problems, lambda: resolve_team(team, overrides, checks))
-    if resolved is None or problems:
+    tasks = team.tasks if kinds is None else attempt(problems, lambda: layered_tasks(team, kinds))
+    if resolved is None or tasks is None or problems:
         raise ConfigError(problems)
     parameters = {robot: found.values for robot, found in resolved.items()}
-    first, later = _by_appearance(team.tasks, loaded.scenario)
+    first, later = _by_appearance(tasks, loaded.scenario)
     return Mission(team.application, team.architecture, first, parameters, loaded.scenario, seed, loaded.texts, later)
 
 

@@ -89,7 +89,7 @@ def names(lines: List[str]) -> List[str]:
 def test_what_was_written_is_said_and_then_there_is_nothing_to_change(command: Command, harbour: Path) -> None:
     told = command("configure", "harbour")
     assert (told.status, told.err) == (0, "")
-    files = [f"robot{n}_alliance_params.yaml" for n in (1, 2, 3)]
+    files = [*(f"robot{n}_alliance_params.yaml" for n in (1, 2, 3)), "tasks_alliance_params.yaml"]
     launches = ["harbour.launch", *(f"robot{n}_alliance.launch" for n in (1, 2, 3))]
     assert names(told.out.splitlines()) == [*files, *launches]
     assert all(line.startswith("written: ") for line in told.out.splitlines())

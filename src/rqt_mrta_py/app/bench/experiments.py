@@ -7,8 +7,8 @@ from typing import Dict, List, Optional, Sequence, Tuple
 
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.selection import first_robots, in_world
-from rqt_mrta_py.config import load_mission
 from rqt_mrta_py.config.loading import load_team
+from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.config.scenario.event_order import appearing_tasks
 from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.hooks import Experiment
@@ -74,6 +74,7 @@ class ExperimentMissions:
                 architecture=experiment.architecture,
                 overrides=settings_for([robot.id for robot in team.application.robots], experiment.settings),
                 checks=self.host.manager,
+                kinds=self.host.manager.registered("mrta_register_behaviours"),
             )
             while len(self._loaded) >= _MOST_MISSIONS:
                 del self._loaded[next(iter(self._loaded))]

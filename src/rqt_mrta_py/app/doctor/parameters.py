@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Iterator, List
 
 from rqt_mrta_py.app.doctor.subject import Subject
-from rqt_mrta_py.config import Team, resolve_shared, resolve_team
 from rqt_mrta_py.config.loading import attempt
+from rqt_mrta_py.config.parameters.task_layers import layered_tasks
+from rqt_mrta_py.config.parameters.team import Team, resolve_shared, resolve_team
 from rqt_mrta_py.errors import Problem
 
 __all__ = ["check_parameters"]
@@ -16,13 +17,15 @@ def check_parameters(subject: Subject) -> Iterator[Problem]:
     """Collect what is wrong with parameters of robots and of the whole team, plugins' word included."""
     for application in subject.applications:
         if application.team is not None:
-            yield from _shared(application.team)
+            yield from _shared(application.team, subject)
             yield from _of_robots(application.team, subject)
 
 
-def _shared(team: Team) -> List[Problem]:
+def _shared(team: Team, subject: Subject) -> List[Problem]:
     found: List[Problem] = []
-    attempt(found, lambda: resolve_shared(team))
+    kinds = subject.host.manager.registered("mrta_register_behaviours")
+    if attempt(found, lambda: resolve_shared(team)) is not None and not (team.gaps.tasks or team.gaps.configs):
+        attempt(found, lambda: layered_tasks(team, kinds))
     return found
 
 

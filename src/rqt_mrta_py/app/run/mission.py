@@ -21,7 +21,7 @@ from rqt_mrta_py.app.run.embedded import EmbeddedRun
 from rqt_mrta_py.app.run.watch import WatchPlan
 from rqt_mrta_py.app.run.watch_process import open_watcher
 from rqt_mrta_py.app.selection import first_robots, in_world
-from rqt_mrta_py.config import load_mission
+from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.model import Mission, ScenarioSpec
 
@@ -139,6 +139,7 @@ def _mission(host: Host, request: RunRequest) -> Tuple[Mission, ScenarioSpec]:
         seed=request.seed,
         overrides=request.overrides,
         checks=host.manager,
+        kinds=host.manager.registered("mrta_register_behaviours"),
     )
     worlds = host.manager.registered("mrta_register_worlds")
     mission = in_world(first_robots(mission, request.robots), request.world, worlds)

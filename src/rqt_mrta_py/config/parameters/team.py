@@ -24,6 +24,7 @@ __all__ = [
     "no_files",
     "parameter_folder",
     "resolve_shared",
+    "resolve_shared_config",
     "resolve_team",
 ]
 
@@ -158,15 +159,32 @@ def resolve_shared(team: Team, read: FileReader = read_if_there) -> Dict[str, Re
     for template in team.architecture.configs:
         if template.id == team.template.id:
             continue
-        names = [file_name(template.id)]
-        context = _context(team, ApplicationRobot(""), names)
         try:
-            resolved[template.id] = resolve_parameters(template, list(_file_layers(team, names, read)), context)
+            resolved[template.id] = resolve_shared_config(team, template, read)
         except ConfigError as error:
-            problems.extend(replace(each, element=f"{template.id}/{each.element}") for each in error.problems)
+            problems.extend(error.problems)
     if problems:
         raise ConfigError(problems)
     return resolved
+
+
+def resolve_shared_config(team: Team, template: ConfigTemplate, read: FileReader = read_if_there) -> ResolvedParameters:
+    """Resolve one config that no single robot owns.
+
+    Args:
+        team: whose.
+        template: one of the architecture's.
+        read: gives the YAML files.
+
+    Raises:
+        ConfigError: with everything that is wrong in it; elements begin with the config's id.
+    """
+    names = [file_name(template.id)]
+    context = _context(team, ApplicationRobot(""), names)
+    try:
+        return resolve_parameters(template, list(_file_layers(team, names, read)), context)
+    except ConfigError as error:
+        raise ConfigError(replace(each, element=f"{template.id}/{each.element}") for each in error.problems) from error
 
 
 def _context(team: Team, robot: ApplicationRobot, names: Sequence[str]) -> ParameterContext:
