@@ -118,6 +118,22 @@ def test_it_tries_a_bounded_number_of_times_to_take_hold_and_goes_on_with_the_re
     assert hall.left() == ["can2"]
 
 
+def test_what_cannot_be_taken_from_one_side_is_taken_from_another() -> None:
+    pillar = Obstacle("pillar", Pose(3.4, 4.0), (0.3, 0.3, 1.0), "cylinder")
+    hall = Hall({"can1": Thing("can", 3.0, 4.0)}, obstacles=(pillar,))
+    hall.start()
+    assert hall.run().progress is Progress.DONE
+    assert hall.left() == []
+
+
+def test_a_slot_that_cannot_be_reached_is_passed_over() -> None:
+    box = Obstacle("box", Pose(9.0, 4.0), (0.8, 0.8, 1.0))
+    hall = Hall({"can1": Thing("can", 3.0, 4.0)}, obstacles=(box,))
+    hall.start()
+    assert hall.run().progress is Progress.DONE
+    assert hall.left() == []
+
+
 def test_the_wrong_thing_is_let_go() -> None:
     # Before the can by 0.1 m and aside by 0.12 m, so that it is nearer when the gripper closes, and ahead still.
     hall = Hall({"can1": Thing("can", 3.0, 4.0), "bottle1": Thing("bottle", 3.1, 4.12)}, task=collecting(tries=1))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from enum import Enum
-from typing import Callable, Dict, NamedTuple, Optional, Union
+from typing import Callable, Dict, List, NamedTuple, Optional, Union
 
 from basic_behaviours.area import lanes
 from basic_behaviours.clear_sight import ClearSight
@@ -22,7 +22,9 @@ from rqt_mrta_py.model import Pose, Progress, Task, Twist
 
 __all__ = ["Errand", "Phase", "Senses"]
 
-_STAND_OFF = 0.35
+_STAND_OFF = 0.3
+_NEAR_STAND = 0.2
+_SIDES = tuple(math.radians(turn) for turn in (0.0, 120.0, -120.0, 180.0, 60.0, -60.0))
 _BACK_OFF = 0.35
 _BETWEEN_THINGS = 0.3
 _SLACK = 0.1
@@ -106,7 +108,7 @@ class Errand:
         self._tries: Dict[str, int] = {}
         self._problem = self._no_way = ""
         self._brought = 0
-        self._drop_tries = 0
+        self._barred: List[Pose] = []
         self._begun = False
 
     @property
@@ -137,7 +139,7 @@ class Errand:
             self._begun = True
             self._tries[self._target.id] = self._tries.get(self._target.id, 0) + 1
             self._stop = None
-            self._set_out(self._target.place, self._model.radius + self._model.reach + _STAND_OFF)
+            self._set_out_for(self._target, senses.pose)
             return Phase.APPROACH
         if self._surprised:
             self._surprised, self._stop = False, None
@@ -173,7 +175,7 @@ class Errand:
             return Phase.SEARCH
         if self._target is not None and thing.place.distance(self._target.place) > _MOVED:
             self._target = thing
-            self._set_out(thing.place, self._model.radius + self._model.reach + _STAND_OFF)
+            self._set_out_for(thing, senses.pose)
         state, twist, detail = self._journey.step(senses.now, senses.pose, self._clear_sight(senses))
         if state is JourneyState.UNDER_WAY:
             return _drive(twist)
@@ -209,16 +211,16 @@ class Errand:
             return Phase.SEARCH
         slot = self._slot
         if slot is None or not self._zone.is_free(slot, self._findings.taken):
-            slot = self._zone.free_slot(self._findings.taken, pose)
+            slot = self._zone.free_slot((*self._findings.taken, *self._barred), pose)
         if slot != self._slot:
             self._slot, self._since = slot, math.inf
             self._set_out(slot, self._take.distance + _SLACK)
         state, twist, detail = self._journey.step(senses.now, pose, self._clear_sight(senses))
         if state is JourneyState.NO_WAY:
-            self._drop_tries += 1
-            if self._drop_tries >= self._settings.tries:
+            if len(self._barred) + 1 >= self._settings.tries:
                 reason = f"cannot bring {self._carried} to the drop zone: {detail}"
                 return BehaviourStep(progress=Progress.UNREACHABLE, detail=reason)
+            self._barred.append(slot)
             self._slot = None
             return Phase.CARRY
         if state is JourneyState.UNDER_WAY:
@@ -257,6 +259,17 @@ class Errand:
 
     def _set_out(self, place: Pose, tolerance: float) -> None:
         self._journey.begin(place, replace(self._settings, tolerance=tolerance))
+
+    def _set_out_for(self, thing: Thing, pose: Pose) -> None:
+        """Set out for a place to take a thing from: the first time on the way to it, later on its other sides."""
+        off = self._model.radius + self._model.reach + _STAND_OFF
+        aside = _SIDES[(self._tries[thing.id] - 1) % len(_SIDES)]
+        if aside:
+            turn = math.atan2(pose.y - thing.place.y, pose.x - thing.place.x) + aside
+            stand = Pose(thing.place.x + off * math.cos(turn), thing.place.y + off * math.sin(turn))
+            self._set_out(stand, _NEAR_STAND)
+        else:
+            self._set_out(thing.place, off)
 
     def _next_thing(self, pose: Pose) -> Optional[Thing]:
         """Choose what to fetch next: what was tried least, of these the nearest."""
