@@ -11,12 +11,29 @@ from rqt_mrta_py.hooks import (
     Command,
     Decision,
     Outgoing,
+    OutgoingRows,
     Perception,
     Subscription,
     TaskReport,
 )
 from rqt_mrta_py.model import Pose, Progress, Task, Twist
 from tests.robot.hosting import DIG, MOW, Digger, Scripted, about, hear, hear_progress, make_host, progress_codes, run
+
+
+def test_host_says_what_an_agent_says_together_in_its_place() -> None:
+    agent = Scripted(lambda _: None)
+    alone, rows = (
+        Outgoing("a", "std_msgs/String", {}),
+        OutgoingRows(("b", "b"), "std_msgs/String", {"data": ("x", "y")}),
+    )
+    agent.step = lambda situation: Decision(None, (alone, rows, alone))  # type: ignore[method-assign]
+    assert make_host(agent).step(0, 1.0) == [alone, rows, alone]
+
+
+def test_host_refuses_a_behaviour_that_says_many_together() -> None:
+    step = BehaviourStep(messages=(OutgoingRows(("a",), "std_msgs/String", {}),))  # type: ignore[arg-type]
+    with pytest.raises(RobotError, match=r"behaviour 'dig' on task 'dig1' failed .*; accepted is Outgoing"):
+        make_host(Scripted(lambda _: "dig1"), dig=Digger((step,))).step(0, 1.0)
 
 
 def test_host_steps_the_agent_at_its_own_rate_and_the_behaviour_every_tick() -> None:
@@ -325,6 +342,20 @@ def test_host_refuses_ticks_that_do_not_increase() -> None:
     [
         ("dig1", "answered 'dig1'; accepted is Decision"),
         (Decision(None, ("hello",)), "answered 'hello'; accepted is Outgoing"),  # type: ignore[arg-type]
+        (
+            Decision(None, (OutgoingRows("ab", "x/Y", {}),)),
+            "answered an OutgoingRows on 'ab'; accepted is a tuple of te",
+        ),  # type: ignore[arg-type]
+        (Decision(None, (OutgoingRows((7,), "x/Y", {}),)), r"answered an OutgoingRows on \(7,\); accepted is a tuple"),  # type: ignore[arg-type]
+        (Decision(None, (OutgoingRows(("a",), None, {}),)), "answered an OutgoingRows of type None; accepted is a tex"),  # type: ignore[arg-type]
+        (
+            Decision(None, (OutgoingRows(("a",), "x/Y", ()),)),  # type: ignore[arg-type]
+            r"answered an OutgoingRows of 'x/Y' with columns \(\); accepted is a mapping",
+        ),
+        (
+            Decision(None, (OutgoingRows(("a",), "x/Y", {"data": ("b", "c")}),)),
+            "answered an OutgoingRows of 'x/Y' with 2 rows of 'data' for 1 topics; accepted are one row a topic",
+        ),
         (Decision(None, None), "'NoneType' object is not iterable"),  # type: ignore[arg-type]
     ],
 )

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Heard, Outgoing, Stamped, Subscription
+from rqt_mrta_py.hooks import Heard, Outgoing, OutgoingRows, Stamped, Subscription
 from rqt_mrta_py.transport import Bus, Node, RosCodec
 from tests.transport.support import ListLink, lookup
 
@@ -279,3 +279,72 @@ def test_headers_are_counted_on_when_the_same_is_said_again(team: Team) -> None:
         team.bus.publish_each([(team.drivers[0], (again,))], float(tick))
         team.bus.deliver(float(tick))
     assert [heard.fields["header/seq"] for node, heard in team.heard if node == "/robot1/agent"] == [1, 2, 3]
+
+
+def test_rows_of_one_node_are_carried_as_if_it_had_published_each(team: Team) -> None:
+    """On topics of its own and on another's, one of them twice, between single messages and among other nodes."""
+    alone = Team()
+    topics = ("pose", "/robot2/pose", "~private", "pose")
+    for each in (team, alone):
+        each.tap()
+        each.listen(each.bus.node("/robot1/ear", "robot1"), "/robot1/driver/private")
+    for now in (1.0, 1.5):
+        xs = [now, now + 1.0, now + 2.0, now + 3.0]
+        rows = OutgoingRows(topics, POSE, poses(now, xs))
+        team.bus.publish_each(
+            [(team.drivers[0], (pose(now, 8.0), rows, pose(now, 9.0))), (team.drivers[1], [rows])], now
+        )
+        single = [pose(now, x)._replace(topic=topic) for topic, x in zip(topics, xs)]
+        for outgoing in (pose(now, 8.0), *single, pose(now, 9.0)):
+            alone.drivers[0].publish(outgoing, now)
+        for outgoing in single:
+            alone.drivers[1].publish(outgoing, now)
+    assert team.record() == alone.record()
+    assert [heard.fields["header/seq"] for name, heard in team.heard if name == "/robot1/agent"] == [*range(1, 9)]
+    assert [len(batch) for batch in team.told] == [1, 4, 1, 4] * 2
+
+
+def test_a_tuple_with_rows_that_is_said_again_is_carried_again(team: Team) -> None:
+    team.tap()
+    held = (pose(1.0, 1.0), OutgoingRows(("pose", "other"), POSE, poses(1.0, (2.0, 3.0))))
+    for now in (1.0, 2.0):
+        team.bus.publish_each([(team.drivers[0], held)], now)
+    team.bus.deliver(3.0)
+    assert [[stamped.connection.topic for stamped in batch] for batch in team.told] == [
+        ["/robot1/pose"],
+        ["/robot1/pose", "/robot1/other"],
+    ] * 2
+    assert [heard.fields["header/seq"] for name, heard in team.heard if name == "/robot1/agent"] == [1, 2, 3, 4]
+
+
+def test_rows_that_nobody_wants_are_not_encoded_but_counted() -> None:
+    bus = Bus(RosCodec(lookup), ListLink())
+    node = bus.node("/a/driver", "a")
+    bus.publish_each([(node, [OutgoingRows(("x", "y", "x"), POSE, {"nonsense": 1}), OutgoingRows((), POSE, {})])], 1.0)
+    told: List[Stamped] = []
+    bus.tap(told.extend)
+    bus.publish_each([(node, [OutgoingRows(("x", "y"), POSE, {})])], 1.0)
+    assert [stamped.raw[:1] for stamped in told] == [b"\3", b"\2"]
+
+
+@pytest.mark.parametrize(
+    ("topics", "columns", "message"),
+    [
+        (
+            ("pose", "other"),
+            {"header/stamp": np.array([1.0, -1.0])},
+            "/robot1/driver on /robot1/other: geometry_msgs/PoseStamped: header/stamp: -1.0 does not fit",
+        ),
+        (("pose",), {"nope": 1}, "/robot1/driver on /robot1/pose: geometry_msgs/PoseStamped: nope: "),
+        (("pose", "p q"), {}, "/robot1/driver: topic 'p q': 'p q' is not a name that ROS accepts"),
+    ],
+)
+def test_what_is_wrong_with_rows_is_named_and_none_of_them_is_carried(
+    team: Team, topics: Tuple[str, ...], columns: Dict[str, Any], message: str
+) -> None:
+    """What was said before them is."""
+    team.tap()
+    with pytest.raises(TransportError) as caught:
+        team.bus.publish_each([(team.drivers[0], [pose(1.0, 1.0), OutgoingRows(topics, POSE, columns)])], 1.0)
+    assert str(caught.value).startswith(message)
+    assert [len(batch) for batch in team.told] == [1]

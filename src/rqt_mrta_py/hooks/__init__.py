@@ -97,6 +97,7 @@ from rqt_mrta_py.hooks.specs import PROJECT, HookSpecs, hookimpl
 from rqt_mrta_py.hooks.statistic import Statistic
 from rqt_mrta_py.hooks.stream import (
     EVERYTHING,
+    AnyOutgoing,
     Codec,
     Column,
     Connection,
@@ -129,6 +130,7 @@ __all__ = [
     "AllocationSign",
     "AllocationStarted",
     "Allocator",
+    "AnyOutgoing",
     "Behaviour",
     "BehaviourFactory",
     "BehaviourSetup",

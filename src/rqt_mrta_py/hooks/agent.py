@@ -8,12 +8,12 @@ the hundred in one simulated process, or alone in a ROS node on a robot.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Protocol, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Protocol, Sequence, Tuple
 
 from rqt_mrta_py.hooks.allocator import Allocator
 from rqt_mrta_py.hooks.evaluator import SensoryEvaluatorFactory
 from rqt_mrta_py.hooks.robot_sensor import RobotSensorFactory
-from rqt_mrta_py.hooks.stream import Heard, Outgoing, OutgoingRows, Subscription
+from rqt_mrta_py.hooks.stream import AnyOutgoing, Heard, Subscription
 from rqt_mrta_py.model import Pose, Progress, Task
 
 if TYPE_CHECKING:
@@ -99,7 +99,7 @@ class Decision:
     """
 
     task: Optional[str]
-    messages: Sequence[Union[Outgoing, OutgoingRows]] = ()
+    messages: Sequence[AnyOutgoing] = ()
 
 
 class Agent(Protocol):

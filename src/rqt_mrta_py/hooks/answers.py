@@ -9,11 +9,11 @@ from typing import Iterator, Mapping, Optional, Pattern, Sequence, Tuple
 
 from rqt_mrta_py.hooks.benchmark import Benchmark
 from rqt_mrta_py.hooks.robot_model import RobotModel
-from rqt_mrta_py.hooks.stream import Outgoing, TeamOutgoing
+from rqt_mrta_py.hooks.stream import Outgoing, OutgoingRows, TeamOutgoing
 from rqt_mrta_py.hooks.verb import Verb
 from rqt_mrta_py.wording import shown
 
-__all__ = ["json_breach", "message_breach", "registration_breach", "team_message_breach"]
+__all__ = ["json_breach", "message_breach", "registration_breach", "rows_breach", "team_message_breach"]
 
 _TYPES: Mapping[str, type] = {
     "mrta_register_benchmarks": Benchmark,
@@ -77,6 +77,32 @@ def message_breach(message: object) -> Optional[str]:
         return f"answered an Outgoing on {shown(topic)} of type {shown(type_name)}; accepted are two texts"
     if not isinstance(fields, abc.Mapping):
         return f"answered an Outgoing on {topic!r} with fields {shown(fields)}; accepted is a mapping"
+    return None
+
+
+def rows_breach(messages: OutgoingRows) -> Optional[str]:
+    """Find what is wrong with messages that an agent wants to publish together, before their type is looked at.
+
+    Args:
+        messages: what the agent answered.
+
+    Returns:
+        A phrase that goes on after the agent's name; None if all is well.
+    """
+    topics, type_name, columns = messages
+    if not (isinstance(topics, tuple) and all(isinstance(topic, str) for topic in topics)):
+        return f"answered an OutgoingRows on {shown(topics)}; accepted is a tuple of texts"
+    if not isinstance(type_name, str):
+        return f"answered an OutgoingRows of type {shown(type_name)}; accepted is a text"
+    if not isinstance(columns, abc.Mapping):
+        return f"answered an OutgoingRows of {shown(type_name)} with columns {shown(columns)}; accepted is a mapping"
+    for path, column in columns.items():
+        rows = _rows_of(column)
+        if rows is not None and rows != len(topics):
+            return (
+                f"answered an OutgoingRows of {shown(type_name)} with {rows} rows of {shown(path)} for {len(topics)} "
+                "topics; accepted are one row a topic, or one value for all"
+            )
     return None
 
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "EVERYTHING",
+    "AnyOutgoing",
     "Codec",
     "Column",
     "Connection",
@@ -143,7 +144,7 @@ class Outgoing(NamedTuple):
     latched: bool = False
 
 
-Column = Union["NDArray[np.float64]", "NDArray[np.int64]", Sequence[str], float, int, str]
+Column = Union["NDArray[np.float64]", "NDArray[np.int64]", "NDArray[np.bool_]", Sequence[str], float, int, str]
 """One field of several messages: one number a message, shape (robots,), or one row of an array field a message, shape
 (robots, elements); one text a message; or a single number or text that all of them share."""
 
@@ -169,13 +170,13 @@ class TeamOutgoing(NamedTuple):
 
 
 class OutgoingRows(NamedTuple):
-    """Messages of one type that one publisher says at one moment, one on each of several topics, column by column.
+    """Messages of one type that one publisher says at one moment, column by column.
 
     Made for an agent with a hundred behaviour sets, each with a topic of its own.
 
     Attributes:
-        topics: absolute, relative or private; resolved in the publisher's namespace; in order, each once; the rows of
-            all columns.
+        topics: of each message, in order: absolute, relative or private; resolved in the publisher's namespace; the
+            rows of all columns. A topic that stands there again is said something again.
         type: ``pkg/Msg``.
         columns: as in TeamOutgoing.
     """
@@ -185,9 +186,12 @@ class OutgoingRows(NamedTuple):
     columns: Mapping[str, Column]
 
 
+AnyOutgoing = Union[Outgoing, OutgoingRows]
+"""What an agent says: one message, or many together."""
+
 Sighting = Callable[[float, Sequence[int]], None]
-"""Is told that a message of each of some connections came at one moment, in the order of the connections, and nothing of
-their content: when they were received [s], and the ordinal of each, both as in Heard."""
+"""Is told that a message of each of some connections came at one moment, in the order of the connections, and nothing
+of their content: when they were received [s], and the ordinal of each, both as in Heard."""
 
 FieldReader = Callable[[bytes], Tuple[Any, ...]]
 """From a message's bytes to the values of the compiled paths, in their order."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Callable, Iterable, List, TypeVar
 
 from rqt_mrta_py.errors import MrtaError, RobotError
-from rqt_mrta_py.hooks import Outgoing
-from rqt_mrta_py.hooks.answers import message_breach
+from rqt_mrta_py.hooks import AnyOutgoing, OutgoingRows
+from rqt_mrta_py.hooks.answers import message_breach, rows_breach
 from rqt_mrta_py.robot.perception import Senses
 
 __all__ = ["Asking", "checked", "extend"]
@@ -60,14 +60,19 @@ def checked(value: _Result, wanted: type) -> _Result:
     return value
 
 
-def extend(says: List[Outgoing], messages: Iterable[Outgoing]) -> None:
+def extend(says: List[AnyOutgoing], messages: Iterable[AnyOutgoing], *, rows: bool = False) -> None:
     """Add messages to what is said, up to the first that is none.
+
+    Args:
+        says: what is said so far.
+        messages: to be added.
+        rows: whether many may come together, as agents say them.
 
     Raises:
         TypeError: one is no message.
     """
     for message in messages:
-        breach = message_breach(message)
+        breach = rows_breach(message) if rows and isinstance(message, OutgoingRows) else message_breach(message)
         if breach is not None:
             raise TypeError(breach)
         says.append(message)

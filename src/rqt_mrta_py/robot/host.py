@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.errors import MrtaError, RobotError
-from rqt_mrta_py.hooks import Agent, Behaviour, BehaviourStep, Decision, Heard, Outgoing, Situation, Subscription
+from rqt_mrta_py.hooks import Agent, AnyOutgoing, Behaviour, BehaviourStep, Decision, Heard, Situation, Subscription
 from rqt_mrta_py.model import Progress, Task
 from rqt_mrta_py.robot.asking import Asking, checked, extend
 from rqt_mrta_py.robot.charges import Charge, Charges, listed
@@ -109,7 +109,7 @@ class RobotHost:
         """Go on where ``pause`` left off; meanwhile time has passed."""
         self._senses.awake = True
 
-    def step(self, tick: int, now: float) -> Sequence[Outgoing]:
+    def step(self, tick: int, now: float) -> Sequence[AnyOutgoing]:
         """Carry out one control tick.
 
         Args:
@@ -131,7 +131,7 @@ class RobotHost:
         senses.now = now
         if not senses.awake:
             return ()
-        says: List[Outgoing] = []
+        says: List[AnyOutgoing] = []
         if self._told_of_tasks:
             self._take_in_what_was_told(says)
         if tick >= self._next_turn:
@@ -190,14 +190,14 @@ class RobotHost:
         if self._senses.awake:
             self._heard.append(heard)
 
-    def _take_in_what_was_told(self, says: List[Outgoing]) -> None:
+    def _take_in_what_was_told(self, says: List[AnyOutgoing]) -> None:
         self._told_of_tasks = False
         for complaint in self._reports.take_complaints():
             self._log(complaint, says, warning=True)
         if self._running is not None and self._charges.is_over(self._running):
             self._drop("ended elsewhere", says)
 
-    def _decide(self, says: List[Outgoing]) -> None:
+    def _decide(self, says: List[AnyOutgoing]) -> None:
         situation = Situation(
             now=self._senses.now,
             heard=tuple(self._heard),
@@ -209,7 +209,7 @@ class RobotHost:
         self._heard.clear()
         try:
             decision = checked(self._agent.step(situation), Decision)
-            extend(says, decision.messages)
+            extend(says, decision.messages, rows=True)
             chosen = decision.task if decision.task is None else checked(decision.task, str)
         except MrtaError:
             raise
@@ -242,7 +242,7 @@ class RobotHost:
             )
         return charge
 
-    def _follow(self, chosen: Optional[str], says: List[Outgoing]) -> None:
+    def _follow(self, chosen: Optional[str], says: List[AnyOutgoing]) -> None:
         if chosen != self._refused:
             self._refused = None
         if chosen is not None:
@@ -263,7 +263,7 @@ class RobotHost:
         self._running = charge
         self._tell(charge.task.id, Progress.RUNNING, "", says)
 
-    def _carry_out(self) -> Sequence[Outgoing]:
+    def _carry_out(self) -> Sequence[AnyOutgoing]:
         charge = self._running
         if charge is None:
             return self._commander.publish(())
@@ -284,27 +284,27 @@ class RobotHost:
             self._tell(task.id, step.progress, step.detail, says)
         return says
 
-    def _take_in(self, step: BehaviourStep) -> List[Outgoing]:
+    def _take_in(self, step: BehaviourStep) -> List[AnyOutgoing]:
         """Check a behaviour's answer; give its messages and commands."""
         if step.progress not in _TOLD_BY_BEHAVIOURS:
             accepted = ", ".join(progress.name for progress in _TOLD_BY_BEHAVIOURS)
             raise ValueError(f"a progress of {step.progress!r}; {accepted} are accepted")
-        says: List[Outgoing] = []
+        says: List[AnyOutgoing] = []
         if step.messages:
             extend(says, step.messages)
         says.extend(self._commander.publish(step.commands))
         return says
 
-    def _drop(self, why: str, says: List[Outgoing]) -> None:
+    def _drop(self, why: str, says: List[AnyOutgoing]) -> None:
         if self._running:
             self._log(f"task={self._running.task.id} {why}", says)
             self._running = None
 
-    def _tell(self, task_id: str, progress: Progress, detail: str, says: List[Outgoing]) -> None:
+    def _tell(self, task_id: str, progress: Progress, detail: str, says: List[AnyOutgoing]) -> None:
         says.append(progress_message(self._robot_id, task_id, progress, detail, self._senses.now))
         self._log(f"task={task_id} {progress.value}" + (f": {detail}" if detail else ""), says)
 
-    def _log(self, text: str, says: List[Outgoing], *, warning: bool = False) -> None:
+    def _log(self, text: str, says: List[AnyOutgoing], *, warning: bool = False) -> None:
         line = f"robot={self._robot_id} {text}"
         says.append(log_message(self._robot_id, line, self._senses.now, warning=warning))
 

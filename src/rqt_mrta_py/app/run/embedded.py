@@ -12,7 +12,7 @@ from rqt_mrta_py.app.run.clock import RunClock
 from rqt_mrta_py.app.run.team import Team, build_team
 from rqt_mrta_py.app.run.watch import SUPERVISOR_TOPICS
 from rqt_mrta_py.errors import UsageError
-from rqt_mrta_py.hooks import Codec, Outgoing, TeamOutgoing
+from rqt_mrta_py.hooks import AnyOutgoing, Codec, Outgoing, TeamOutgoing
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Mission, ScenarioSpec
 from rqt_mrta_py.sim import Simulation, label_of, order_of
@@ -163,7 +163,7 @@ class EmbeddedRun:
         self.bus.publish_each(self._decisions(tick, now), now)
         self.bus.deliver(now, self._team.commands)
 
-    def _decisions(self, tick: int, now: float) -> Iterator[Tuple[Node, Sequence[Outgoing]]]:
+    def _decisions(self, tick: int, now: float) -> Iterator[Tuple[Node, Sequence[AnyOutgoing]]]:
         """Let one robot after the other decide what to say."""
         offsets, paused = self._simulation.clock_offsets, self._paused
         for name, member in self._members.items():

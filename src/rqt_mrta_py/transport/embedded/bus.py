@@ -15,7 +15,7 @@ from __future__ import annotations
 from typing import Callable, Dict, Iterable, List, Mapping, Optional, Protocol, Sequence, Tuple
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Codec, Column, Connection, Link, Outgoing, Subscription, TeamHeard
+from rqt_mrta_py.hooks import AnyOutgoing, Codec, Column, Connection, Link, Subscription, TeamHeard
 from rqt_mrta_py.transport.batch import Batch, Run
 from rqt_mrta_py.transport.codec.definitions import parse_definition
 from rqt_mrta_py.transport.embedded.choir import Choir
@@ -159,8 +159,8 @@ class Bus:
                 self._latched.setdefault(topic, []).append(publisher)
         return publisher
 
-    def publish_each(self, said: Iterable[Tuple[Node, Iterable[Outgoing]]], now: float) -> None:
-        """Carry what nodes say, in order; taps are told of it together.
+    def publish_each(self, said: Iterable[Tuple[Node, Iterable[AnyOutgoing]]], now: float) -> None:
+        """Carry what nodes say, in order; taps are told together of what lies between messages given column by column.
 
         Args:
             said: who says what; it is run through as the messages are carried.
@@ -178,7 +178,14 @@ class Bus:
         raws: List[bytes] = []
         try:
             for node, messages in said:
-                for publisher, message in node.ways(messages):
+                for way in node.ways(messages):
+                    if isinstance(way[0], Choir):
+                        if raws:
+                            self._tell(Batch.of(self._line_up(connections), self._now_ns, raws))
+                            connections, raws = [], []
+                        self._sing(way[0], way[1].columns)
+                        continue
+                    publisher, message = way
                     publisher.seq += 1
                     ordinal = next(publisher.ordinals)
                     if publisher.version != wiring.version:
@@ -213,23 +220,7 @@ class Bus:
         """
         if now != self._now:
             self.advance(now)
-        choir = self._choir(nodes, topic, type_name)
-        if choir.version != self._wiring.version:
-            choir.look_around(self._wiring)
-        ordinals = choir.count()
-        if not (ordinals and (choir.lines or self._taps)):
-            return
-        page = choir.encode(self.codec, columns)
-        batch = Batch(choir.connections, self._now_ns, page.content, [Run(*run) for run in page.runs])
-        if self._taps:
-            self._tell(batch)
-        if choir.lines:
-            messages: List[Message] = [(*message, {}) for message in zip(choir.connections, ordinals, batch.raws)]
-            for row, sender, robot, inbox, hearings in choir.lines:
-                if robot == sender:
-                    inbox.arrived.append((now, messages[row], hearings))
-                else:
-                    self._send(sender, robot, inbox, messages[row], hearings)
+        self._sing(self._choir(nodes, topic, type_name), columns)
 
     def subscribe(self, ear: Ear) -> None:
         """Let a new subscription hear; latched messages set out for it. Nodes call this."""
@@ -253,6 +244,25 @@ class Bus:
             raise ValueError(f"the bus's time never goes back: it is {self._now} s, told was {now} s")
         self._now = now
         self._now_ns = round(now * 1e9)
+
+    def _sing(self, choir: Choir, columns: Mapping[str, Column]) -> None:
+        """Carry one message of each of a choir's publishers."""
+        if choir.version != self._wiring.version:
+            choir.look_around(self._wiring)
+        ordinals = choir.count()
+        if not (ordinals and (choir.lines or self._taps)):
+            return
+        page = choir.encode(self.codec, columns)
+        batch = Batch(choir.connections, self._now_ns, page.content, [Run(*run) for run in page.runs])
+        if self._taps:
+            self._tell(batch)
+        if choir.lines:
+            messages: List[Message] = [(*message, {}) for message in zip(choir.connections, ordinals, batch.raws)]
+            for row, sender, robot, inbox, hearings in choir.lines:
+                if robot == sender:
+                    inbox.arrived.append((self._now, messages[row], hearings))
+                else:
+                    self._send(sender, robot, inbox, messages[row], hearings)
 
     def _choir(self, nodes: Sequence[Node], topic: str, type_name: str) -> Choir:
         key = (tuple(nodes), topic, type_name)

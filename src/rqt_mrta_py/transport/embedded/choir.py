@@ -1,4 +1,4 @@
-"""Nodes that publish together: their messages are counted and serialised as a whole."""
+"""Messages that are published together, of many nodes or of one: they are counted and serialised as a whole."""
 
 from __future__ import annotations
 
@@ -34,25 +34,26 @@ class Line(NamedTuple):
 
 
 class Choir:
-    """Publishers of one type that publish one message each.
+    """Publishers of one type that publish one message a row.
 
     Attributes:
-        publishers: in the order of rows.
+        publishers: in the order of rows; one may have several.
         connections: of the publishers.
         lines: to all who hear, in the order of rows, then of nodes, as of ``version``.
         version: see Wiring.
 
     Args:
-        publishers: at least one, each once.
+        publishers: see above.
     """
 
-    __slots__ = ("_ordinals", "connections", "lines", "publishers", "version")
+    __slots__ = ("_ordinals", "_seqs", "connections", "lines", "publishers", "version")
 
     def __init__(self, publishers: Sequence[Publisher]) -> None:
         self.publishers = tuple(publishers)
         self.connections = tuple(publisher.connection for publisher in publishers)
         self.lines: Sequence[Line] = ()
         self.version = -1
+        self._seqs: List[int] = []
         self._ordinals = [publisher.ordinals for publisher in publishers]
 
     def look_around(self, wiring: Wiring) -> None:
@@ -65,13 +66,15 @@ class Choir:
         self.version = wiring.version
 
     def count(self) -> List[int]:
-        """Count one message of each; give their ordinals."""
+        """Count one message a row; give their ordinals."""
+        self._seqs = seqs = []
         for publisher in self.publishers:
-            publisher.seq += 1
+            publisher.seq = seq = publisher.seq + 1
+            seqs.append(seq)
         return list(map(next, self._ordinals))
 
     def encode(self, codec: Codec, columns: Mapping[str, Column]) -> Page:
-        """Serialise the latest message of each.
+        """Serialise the messages that were counted last.
 
         Args:
             codec: for messages of their type.
@@ -83,7 +86,7 @@ class Choir:
         publishers, first = self.publishers, self.publishers[0]
         seq = f"{first.header}/seq"
         if first.header and seq not in columns:
-            columns = {**columns, seq: np.array([publisher.seq for publisher in publishers])}
+            columns = {**columns, seq: np.array(self._seqs)}
         try:
             return codec.encode_columns(first.connection.type, columns, len(publishers))
         except TransportError as error:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Protocol, Sequence, Tuple
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Protocol, Sequence, Tuple, Union
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Heard, Outgoing, Subscription
+from rqt_mrta_py.hooks import AnyOutgoing, Heard, Outgoing, OutgoingRows, Subscription
 from rqt_mrta_py.model import resolve_name
+from rqt_mrta_py.transport.embedded.choir import Choir
 from rqt_mrta_py.transport.embedded.inbox import Inbox
 from rqt_mrta_py.transport.embedded.publisher import Publisher
 from rqt_mrta_py.transport.embedded.wiring import Ear
@@ -14,7 +15,10 @@ from rqt_mrta_py.transport.patterns import resolve_topic
 
 __all__ = ["Carrier", "Node"]
 
-_Way = Tuple[Publisher, Outgoing]
+_Way = Union[Tuple[Publisher, Outgoing], Tuple[Choir, OutgoingRows]]
+
+_MOST_CHOIRS = 16
+"""How many groups of topics on which a node publishes together are remembered."""
 
 _NOTHING: Mapping[str, Any] = {}
 
@@ -29,7 +33,7 @@ class Carrier(Protocol):
         """Give the node's way onto a resolved topic."""
         ...
 
-    def publish_each(self, said: Iterable[Tuple[Node, Iterable[Outgoing]]], now: float) -> None:
+    def publish_each(self, said: Iterable[Tuple[Node, Iterable[AnyOutgoing]]], now: float) -> None:
         """Carry messages at a time [s]."""
         ...
 
@@ -55,6 +59,7 @@ class Node:
 
     __slots__ = (
         "_bus",
+        "_choirs",
         "_ears",
         "_place",
         "_remappings",
@@ -81,7 +86,8 @@ class Node:
         self._remappings = dict(remappings or {})
         self._ears = 0
         self._teams: List[Tuple[Inbox, int]] = []
-        self._said: Iterable[Outgoing] = ()
+        self._choirs: Dict[Tuple[Tuple[str, ...], str], Choir] = {}
+        self._said: Iterable[AnyOutgoing] = ()
         self._ways: Sequence[_Way] = ()
 
     def subscribe(self, subscription: Subscription, callback: Callable[[Heard], None]) -> None:
@@ -144,7 +150,7 @@ class Node:
             self.publishers[topic, type_name, latched] = publisher
         return publisher
 
-    def ways(self, messages: Iterable[Outgoing]) -> Iterable[_Way]:
+    def ways(self, messages: Iterable[AnyOutgoing]) -> Iterable[_Way]:
         """Find the way of each message; the bus calls this.
 
         Args:
@@ -194,9 +200,15 @@ class Node:
         self._ears += 1
         self._bus.subscribe(Ear(place, self.name, self.robot, inbox, topic, subscription, hearer))
 
-    def _find(self, messages: Iterable[Outgoing]) -> Iterator[_Way]:
+    def _find(self, messages: Iterable[AnyOutgoing]) -> Iterator[_Way]:
         ways: List[_Way] = []
+        way: _Way
         for message in messages:
+            if isinstance(message, OutgoingRows):
+                way = (self._choir(message.topics, message.type), message)
+                ways.append(way)
+                yield way
+                continue
             topic, type_name, _, latched = message
             publisher = self.publishers.get((topic, type_name, latched))
             if publisher is None:
@@ -206,3 +218,12 @@ class Node:
             yield way
         if messages.__class__ is tuple:
             self._said, self._ways = messages, ways
+
+    def _choir(self, topics: Tuple[str, ...], type_name: str) -> Choir:
+        choir = self._choirs.get((topics, type_name))
+        if choir is None:
+            if len(self._choirs) >= _MOST_CHOIRS:
+                self._choirs.clear()
+            choir = Choir([self.publisher(topic, type_name, False) for topic in topics])
+            self._choirs[topics, type_name] = choir
+        return choir
