@@ -120,7 +120,7 @@ def test_it_tries_a_bounded_number_of_times_to_take_hold_and_goes_on_with_the_re
 
 def test_what_cannot_be_taken_from_one_side_is_taken_from_another() -> None:
     pillar = Obstacle("pillar", Pose(3.4, 4.0), (0.3, 0.3, 1.0), "cylinder")
-    hall = Hall({"can1": Thing("can", 3.0, 4.0)}, obstacles=(pillar,))
+    hall = Hall({"can1": Thing("can", 3.0, 4.0)}, task=collecting(tries=2), obstacles=(pillar,))
     hall.start()
     assert hall.run().progress is Progress.DONE
     assert hall.left() == []
