@@ -5,7 +5,7 @@ A cycle, spin rate times a second, as in the original nodes:
 1. What came in is taken in (with ``strict_original`` only after 4).
 2. Reports are heeded: an active behaviour set whose task has ended is dropped, an operator is obeyed.
 3. Behaviour set by behaviour set, in file order, motivation and all that moves it are evaluated, a change being known
-   to the next set at once, so that earlier sets win ties.
+   to the next set at once, so that earlier sets win ties. Many sets are evaluated at once, with the same results.
 4. Everything is said: motivations, times to activation, sensory feedback, the announcement, hazards noticed.
 
 Differs from the paper: ALLIANCE knows no operators. Here an operator may reassign a task: before anything is evaluated,
@@ -17,9 +17,10 @@ stuck with a robot that cannot obey. And a task may appear that no parameters sp
 from __future__ import annotations
 
 import logging
-from typing import Dict, List, Mapping, Optional, Sequence, Set, Tuple
+from typing import Dict, List, Mapping, Optional, Sequence, Set, Tuple, Union
 
 from mrta_alliance import equations, messages
+from mrta_alliance.array_sets import MANY, ArraySets
 from mrta_alliance.behaviour_set import BehaviourSet
 from mrta_alliance.communication import COMMUNICATION, Communication, Hazard
 from mrta_alliance.fairness import FairShares
@@ -29,12 +30,14 @@ from mrta_alliance.parameters import BehaviourSetParameters
 from mrta_alliance.reading import read_parameters
 from mrta_alliance.sensing import Feedback, HeardFeedback, Sensing
 from mrta_alliance.timing import BY_EQUATIONS
-from rqt_mrta_py.hooks import AgentSetup, Decision, Outgoing, Situation, Subscription, TaskReport
+from rqt_mrta_py.hooks import AgentSetup, Decision, Outgoing, OutgoingRows, Situation, Subscription, TaskReport
 from rqt_mrta_py.model import Progress, Task
 
 __all__ = ["AllianceAgent"]
 
 _LOG = logging.getLogger(__name__)
+
+_Message = Union[Outgoing, OutgoingRows]
 
 _OVER = (Progress.DONE, Progress.FAILED, Progress.UNREACHABLE, Progress.WITHDRAWN)
 
@@ -42,11 +45,12 @@ _OVER = (Progress.DONE, Progress.FAILED, Progress.UNREACHABLE, Progress.WITHDRAW
 class AllianceAgent:
     """One robot's share of ALLIANCE; opens no socket and reads no clock."""
 
-    def __init__(self, setup: AgentSetup) -> None:
+    def __init__(self, setup: AgentSetup, many: int = MANY) -> None:
         """Make an agent; its parameters are those of the original's YAML file.
 
         Args:
             setup: see there.
+            many: from how many behaviour sets on they are evaluated at once (see ``array_sets``).
 
         Raises:
             ValueError: parameters that ALLIANCE cannot work with, or an evaluator that nobody registers; all
@@ -56,6 +60,7 @@ class AllianceAgent:
         told = read_parameters(setup.parameters, tuple(tasks))
         self._robot_id = setup.robot_id
         self._told = told
+        self._many = many
         self._timing = AS_ORIGINAL if told.strict_original else BY_EQUATIONS
         self._seniority = _seniority(setup.robot_id, setup.team) if self._timing.extended else 0.0
         self._communication = Communication(setup.robot_id, lambda: self._timing.history(told))
@@ -75,6 +80,8 @@ class AllianceAgent:
             self._feedback = Sensing(setup, told, tasks)
         self._ended: Set[str] = set()
         self._before = 0.0
+        self._believed: Sequence[Tuple[str, str]] = ()
+        self._arrays: Optional[ArraySets] = None
 
     @property
     def rate(self) -> float:
@@ -99,6 +106,7 @@ class AllianceAgent:
         Args:
             parameters: for a task that there is a behaviour set for.
         """
+        self._settle()
         task = parameters.task_id
         self._sets[task].parameters = parameters
         self._follow(parameters)
@@ -113,31 +121,66 @@ class AllianceAgent:
         if self._timing.hears_first:
             self._take_in(situation)
         feedback = self._heed(situation)
-        if self._fair:
-            self._share_time(situation, feedback)
-        for each in self._sets.values():
-            self._evaluate(each, situation, feedback)
-        active = next((each for each in self._sets.values() if each.active), None)
-        said = self._say(active, feedback, now)
+        arrays = self._evaluated_at_once(situation, feedback)
+        if arrays is None:
+            active, said = self._evaluate_one_by_one(situation, feedback)
+        else:
+            active, said = arrays.active, arrays.messages(self._robot_id, now, self.rate)
+        said += self._say(active, feedback, now)
         if not self._timing.hears_first:
             self._take_in(situation)
         said += [messages.hazard_notice(self._robot_id, now, text) for text in self._communication.notices()]
         self._before = now
-        return Decision(active.parameters.task_id if active else None, said)
+        return Decision(active, said)
 
     def _take_in(self, situation: Situation) -> None:
         topic = COMMUNICATION.topic
-        self._communication.take_in((heard for heard in situation.heard if heard.topic == topic), situation.now)
+        announcements = (heard for heard in situation.heard if heard.topic == topic)
+        self._believed = self._communication.take_in(announcements, situation.now)
         self._feedback.take_in(situation.heard)
 
-    def _say(self, active: Optional[BehaviourSet], feedback: Mapping[str, bool], now: float) -> List[Outgoing]:
-        robot, sets = self._robot_id, self._sets.values()
-        said = [each.message(robot, now) for each in sets]
+    def _evaluate_one_by_one(
+        self, situation: Situation, feedback: Mapping[str, bool]
+    ) -> Tuple[Optional[str], List[_Message]]:
+        """Go through a cycle of every behaviour set; give the task of the active one and what is said of all."""
+        if self._fair:
+            self._share_time(situation, feedback)
+        sets = self._sets.values()
+        for each in sets:
+            self._evaluate(each, situation, feedback)
+        said: List[_Message] = [each.message(self._robot_id, situation.now) for each in sets]
         until = [each.time_to_activation(self.rate) for each in sets]
-        said.append(messages.time_to_activation(robot, now, tuple(self._sets), until))
-        if not self._told.low_level_feedback:
-            said += [messages.sensory_feedback(robot, now, task, answer) for task, answer in feedback.items()]
-        task = self._announcer.due(active.parameters.task_id if active else None, now)
+        said.append(messages.time_to_activation(self._robot_id, situation.now, tuple(self._sets), until))
+        return next((task for task, each in self._sets.items() if each.active), None), said
+
+    def _evaluated_at_once(self, situation: Situation, feedback: Mapping[str, bool]) -> Optional[ArraySets]:
+        """Do the same quicker, where there are many and they go by the equations; None where not."""
+        if len(self._sets) < self._many or self._fair or self._timing is not BY_EQUATIONS:
+            self._settle()
+            self._arrays = None
+            return None
+        if self._arrays is None:
+            timeout = self._told.timeout_duration
+            self._arrays = ArraySets(self._sets, self._communication, self._inhibition, timeout)
+        applicable = [self._finds_applicable(task, situation, feedback) for task in self._sets]
+        self._arrays.evaluate(situation.now, self._before, self._believed, applicable)
+        return self._arrays
+
+    def _settle(self) -> None:
+        """Let each behaviour set say itself how it is, before it is changed by anything but a cycle."""
+        if self._arrays is not None:
+            self._arrays.settle()
+
+    def _say(self, active: Optional[str], feedback: Mapping[str, bool], now: float) -> List[_Message]:
+        robot = self._robot_id
+        said: List[_Message]
+        if self._told.low_level_feedback:
+            said = []
+        elif len(feedback) >= self._many:
+            said = [messages.sensory_feedbacks(robot, now, feedback)]
+        else:
+            said = [messages.sensory_feedback(robot, now, task, answer) for task, answer in feedback.items()]
+        task = self._announcer.due(active, now)
         if task is not None:
             expected = self._sets[task].parameters.task_expected_duration
             said.append(messages.announcement(robot, now, task, expected))
@@ -157,6 +200,8 @@ class AllianceAgent:
     def _heed(self, situation: Situation) -> Dict[str, bool]:
         """Do what reports ask for; give, by task, what the sensors say of it."""
         taken: Optional[str] = None
+        if situation.reports:
+            self._settle()
         for report in situation.reports:
             each = self._sets.get(report.task)
             if report.progress is Progress.REASSIGNED and each is not None:
@@ -167,10 +212,11 @@ class AllianceAgent:
                     each.leave()
                     self._note_activity(each)
             self._note(report, situation)
-        for task, each in self._sets.items():
-            if each.active and task in self._ended:
-                each.drop()
-                self._note_activity(each)
+        if situation.reports:
+            for task, each in self._sets.items():
+                if each.active and task in self._ended:
+                    each.drop()
+                    self._note_activity(each)
         feedback = {task: self._feedback.finds_applicable(task, situation.now) for task in self._sets}
         if taken is not None and self._finds_applicable(taken, situation, feedback):
             for task, each in self._sets.items():

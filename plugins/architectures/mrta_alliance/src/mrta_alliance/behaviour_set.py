@@ -21,6 +21,8 @@ class BehaviourSet:
         motivation: in [0, threshold] [1].
         active_since: the cycle at which it became active; None while it is not [s].
         impatience, acquiescent, suppressed, resetted, applicable: as of the newest cycle.
+        pace: factor on impatience, at least 1: this robot's head start.
+        ordered: an operator's word since the newest cycle: True to take the task, False to leave it; None without.
     """
 
     def __init__(self, parameters: BehaviourSetParameters, pace: float = 1.0) -> None:
@@ -28,10 +30,10 @@ class BehaviourSet:
 
         Args:
             parameters: see there.
-            pace: factor on impatience, at least 1: this robot's head start.
+            pace: see above.
         """
         self.parameters = parameters
-        self._pace = pace
+        self.pace = pace
         self._topic = motivation_topic(parameters.task_id)
         self.motivation = 0.0
         self.active_since: Optional[float] = None
@@ -40,7 +42,7 @@ class BehaviourSet:
         self.suppressed = False
         self.resetted = False
         self.applicable = False
-        self._ordered: Optional[bool] = None
+        self.ordered: Optional[bool] = None
 
     @property
     def active(self) -> bool:
@@ -56,12 +58,12 @@ class BehaviourSet:
         """Become active at an operator's word, before a cycle [s]; nobody's first announcement resets it in that."""
         self.motivation = self.parameters.threshold
         self.active_since = now
-        self._ordered = True
+        self.ordered = True
 
     def leave(self) -> None:
         """Let the task go at an operator's word, before a cycle, and be reset in it."""
         self.drop()
-        self._ordered = False
+        self.ordered = False
 
     def evaluate(
         self,
@@ -87,7 +89,7 @@ class BehaviourSet:
         """
         told = self.parameters
         self.impatience = (
-            self._pace * quickened * equations.impatience(others, now, timeout, told.threshold, told.fast_rate)
+            self.pace * quickened * equations.impatience(others, now, timeout, told.threshold, told.fast_rate)
         )
         self.acquiescent = self.active_since is not None and equations.acquiescent(
             others,
@@ -98,8 +100,8 @@ class BehaviourSet:
             giving_up_delay=told.giving_up_delay,
         )
         self.suppressed = suppressed
-        self.resetted = resetted if self._ordered is None else not self._ordered
-        self._ordered = None
+        self.resetted = resetted if self.ordered is None else not self.ordered
+        self.ordered = None
         self.applicable = applicable
         self.motivation = equations.motivation(
             self.motivation,
@@ -114,6 +116,27 @@ class BehaviourSet:
             self.active_since = None
         elif self.active_since is None:
             self.active_since = now
+
+    def restore(
+        self,
+        active_since: Optional[float],
+        *,
+        motivation: float,
+        impatience: float,
+        acquiescent: bool,
+        suppressed: bool,
+        resetted: bool,
+        applicable: bool,
+    ) -> None:
+        """Become what ``array_sets`` found it to be in the newest cycle; arguments as the attributes."""
+        self.active_since = active_since
+        self.motivation = motivation
+        self.impatience = impatience
+        self.acquiescent = acquiescent
+        self.suppressed = suppressed
+        self.resetted = resetted
+        self.applicable = applicable
+        self.ordered = None
 
     def time_to_activation(self, spin_rate: float) -> float:
         """Estimate when it becomes active (equation 3.10) [s]; 0 when it is, NaN while its motivation does not grow.

@@ -80,19 +80,29 @@ class Communication:
         if task not in self._histories:
             self._histories[task] = self._make_history()
 
-    def take_in(self, messages: Iterable[Heard], now: float) -> None:
+    def take_in(self, messages: Iterable[Heard], now: float) -> List[Tuple[str, str]]:
         """Remember what came since the cycle before.
 
         Args:
             messages: announcements, in order of receipt.
             now: the time of this cycle [s].
+
+        Returns:
+            Task and sender of those that are believed, in order.
         """
+        believed: List[Tuple[str, str]] = []
         for message in messages:
             fields = message.fields
             robot = normalise_id(fields["header/frame_id"])
             task = fields["task_id"]
             if robot != self._robot_id and task in self._histories and self._believes(message, robot, task):
                 self._histories[task].remember(robot, message, now)
+                believed.append((task, robot))
+        return believed
+
+    def history(self, task: str) -> TaskHistory:
+        """Give what is remembered of a task of this robot, by its id."""
+        return self._histories[task]
 
     def about(self, task: str) -> Sequence[OtherRobot]:
         """List what is known of the robots that announced a task, in the order of their first announcements.

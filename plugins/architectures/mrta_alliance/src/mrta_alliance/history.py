@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections import deque
-from typing import Deque, Dict, List, Protocol, Sequence
+from typing import Deque, Dict, List, Mapping, Protocol, Sequence
 
 from mrta_alliance import equations
 from mrta_alliance.equations import Announcements, OtherRobot
 from rqt_mrta_py.hooks import Heard
 
-__all__ = ["History", "TaskHistory"]
+__all__ = ["History", "Peer", "TaskHistory"]
 
 
 class TaskHistory(Protocol):
@@ -39,16 +39,26 @@ class TaskHistory(Protocol):
         ...
 
 
-class _Peer:
-    """One other robot's announcements of the task."""
+class Peer:
+    """One other robot's announcements of the task.
+
+    Attributes:
+        first: when the first one was received [s].
+        recent: when the newest ones were received, ascending, at least one [s].
+        noticed, patience: as in Announcements.
+    """
+
+    __slots__ = ("first", "noticed", "patience", "recent")
 
     def __init__(self, first: float, noticed: float, patience: float) -> None:
+        """Begin with the first announcement; arguments as the attributes."""
         self.first = first
         self.recent: Deque[float] = deque((first,))
         self.noticed = noticed
         self.patience = patience
 
     def announcements(self) -> Announcements:
+        """Give them as the equations take them."""
         times: Sequence[float] = self.recent
         if self.recent[0] > self.first:
             times = (self.first, *self.recent)
@@ -69,14 +79,19 @@ class History:
             horizon: how long announcements are kept [s]; the first of each robot is kept for ever.
         """
         self._horizon = horizon
-        self._peers: Dict[str, _Peer] = {}
+        self._peers: Dict[str, Peer] = {}
+
+    @property
+    def peers(self) -> Mapping[str, Peer]:
+        """Give what is remembered of each robot, in the order of their first announcements."""
+        return self._peers
 
     def remember(self, robot: str, message: Heard, now: float) -> None:
         """Take in an announcement."""
         receipt, duration = min(message.receipt, now), message.fields["expected_duration"]
         peer = self._peers.get(robot)
         if peer is None:
-            self._peers[robot] = _Peer(receipt, now, duration)
+            self._peers[robot] = Peer(receipt, now, duration)
             return
         peer.patience = duration
         # A link may deliver late; what counts then is that the robot was heard at all.

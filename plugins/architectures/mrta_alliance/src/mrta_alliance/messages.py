@@ -6,9 +6,11 @@ nodes know their own messages.
 
 from __future__ import annotations
 
-from typing import Dict, Sequence
+from typing import Dict, Mapping, Sequence
 
-from rqt_mrta_py.hooks import Outgoing
+import numpy as np
+
+from rqt_mrta_py.hooks import Column, Outgoing, OutgoingRows
 from rqt_mrta_py.model import wire_id
 
 __all__ = [
@@ -22,7 +24,9 @@ __all__ = [
     "hazard_notice",
     "header",
     "motivation_topic",
+    "motivations",
     "sensory_feedback",
+    "sensory_feedbacks",
     "time_to_activation",
 ]
 
@@ -51,10 +55,35 @@ def motivation_topic(task: str) -> str:
     return f"alliance/motivation/{task}"
 
 
+def motivations(
+    robot_id: str, now: float, topics: Sequence[str], tasks: Sequence[str], columns: Mapping[str, Column]
+) -> OutgoingRows:
+    """Say how the newest cycle of many behaviour sets went.
+
+    Args:
+        robot_id: the sender.
+        now: its time [s].
+        topics: of each behaviour set, in file order.
+        tasks: of each.
+        columns: the further fields of Motivation.
+    """
+    return OutgoingRows(tuple(topics), MOTIVATION_TYPE, {**_heads(robot_id, now), "task_id": tuple(tasks), **columns})
+
+
 def sensory_feedback(robot_id: str, now: float, task: str, applicable: bool) -> Outgoing:
     """Say whether the sensors find a task applicable."""
     fields = {"header": header(robot_id, now), "task_id": task, "applicable": applicable}
     return Outgoing(FEEDBACK_TOPIC, FEEDBACK_TYPE, fields)
+
+
+def sensory_feedbacks(robot_id: str, now: float, applicable: Mapping[str, bool]) -> OutgoingRows:
+    """Say whether the sensors find tasks applicable, each in a message of its own."""
+    columns = {
+        **_heads(robot_id, now),
+        "task_id": tuple(applicable),
+        "applicable": np.array(list(applicable.values()), bool),
+    }
+    return OutgoingRows((FEEDBACK_TOPIC,) * len(applicable), FEEDBACK_TYPE, columns)
 
 
 def announcement(robot_id: str, now: float, task: str, expected_duration: float) -> Outgoing:
@@ -93,3 +122,7 @@ def hazard_notice(robot_id: str, now: float, text: str) -> Outgoing:
     """
     fields = {"header": {"stamp": now}, "level": _WARN, "name": f"/{robot_id}/agent", "msg": text}
     return Outgoing("/rosout", "rosgraph_msgs/Log", fields)
+
+
+def _heads(robot_id: str, now: float) -> Dict[str, Column]:
+    return {f"header/{name}": value for name, value in (("stamp", now), ("frame_id", wire_id(robot_id)))}
