@@ -116,6 +116,7 @@ def test_dry_run_prints_the_wizards_summary_and_writes_nothing(here: Path, comma
         "  CMakeLists.txt",
         "  config/",
         "  config/robot1_alliance_params.yaml",
+        "  config/tasks_alliance_params.yaml",
         "  launch/",
         "  launch/robot1_alliance.launch",
         "  launch/yard.launch",

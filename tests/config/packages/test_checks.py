@@ -92,6 +92,17 @@ def test_names_that_catkin_or_python_would_refuse_are_refused(name: str) -> None
             "7: tasks[0]/id: task1: no behaviour of kind 'go_to_plaice' is registered; nearest is 'go_to_place'",
         ),
         (
+            "tasks: [{}]",
+            "tasks: [{layers: [go_to_plaice]}]",
+            "7: tasks[0]/id: task1: no behaviour of kind 'go_to_plaice' is registered for its layer; nearest is "
+            "'go_to_place'",
+        ),
+        (
+            "tasks: [{}]",
+            "tasks: [{layers: [go_to_place]}]",
+            "7: tasks[0]/id: task1: layer 'go_to_place' stands twice; its own kind is the lowest layer",
+        ),
+        (
             "nearest_robot",
             "neerest_robot",
             "5: architecture: no architecture of this name is registered (got 'neerest_robot'); "

@@ -123,6 +123,7 @@ def _task(task: Task) -> Dict[str, Any]:
     return {
         "id": task.id,
         "kind": task.kind,
+        "layers": list(task.layers),
         "place": place,
         "robots": task.robots,
         "perpetual": task.perpetual,

@@ -112,7 +112,8 @@ def _written(
     robots = tuple(ApplicationRobot(robot.id, robot.tasks or every) for robot in answers.robots)
     spec = ApplicationSpec(described.package, described.name, architecture.package, robots)
     needed = {*described.run_depends, architecture.package, "rqt_mrta_py"}
-    needed |= {around.kinds[task.kind] for task in placed} | set(_included(architecture))
+    needed |= {around.kinds[kind] for task in placed for kind in (task.kind, *task.layers)}
+    needed |= set(_included(architecture))
     dependencies = [("buildtool_depend", ["catkin"]), ("exec_depend", sorted(needed))]
     exported = {attribute: f"${{prefix}}/{name}" for attribute, name in _EXPORTED.items()}
     names = [robot.id for robot in answers.robots]

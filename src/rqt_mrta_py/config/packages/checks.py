@@ -183,6 +183,12 @@ def _of_tasks(tasks: Sequence[TaskEntry], around: Surroundings) -> Iterator[Prob
         if task.kind not in around.kinds:
             message = f"{task.id}: no behaviour of kind {task.kind!r} is registered"
             yield entry.place.problem(f"{message}; {accepted(task.kind, around.kinds)}")
+        for index, layer in enumerate(task.layers):
+            if layer not in around.kinds:
+                message = f"{task.id}: no behaviour of kind {layer!r} is registered for its layer"
+                yield entry.place.problem(f"{message}; {accepted(layer, around.kinds)}")
+            elif layer in (task.kind, *task.layers[:index]):
+                yield entry.place.problem(f"{task.id}: layer {layer!r} stands twice; its own kind is the lowest layer")
         for other in task.predecessors:
             if other not in known:
                 yield entry.place.problem(f"{task.id}: {other!r} is no task; {accepted(other, known)}")
