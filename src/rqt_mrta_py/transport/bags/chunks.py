@@ -19,6 +19,8 @@ __all__ = ["Chunk", "build_chunk"]
 _ENTRY = np.dtype([("seconds", "<u4"), ("nanoseconds", "<u4"), ("offset", "<u4")])
 """An entry of an index: when a message was received, and where its record begins in the chunk."""
 
+_WHOLE_ENTRY = np.dtype(f"V{_ENTRY.itemsize}")
+
 
 class Chunk(NamedTuple):
     """A chunk before it is compressed, with what the file says of it elsewhere.
@@ -130,7 +132,7 @@ def _build_indexes(numbers: NDArray[np.int64], entries: NDArray[Any]) -> Tuple[m
     # An entry stands behind those before it, and behind the headers of its connection and of those before that.
     headers = np.arange(1, len(found) + 1) * INDEX_HEADERS.length
     places = np.arange(len(order)) * _ENTRY.itemsize + np.repeat(headers, counts)
-    put(indexes, places, entries.take(order).view(f"V{_ENTRY.itemsize}"))
+    put(indexes, places, entries.take(order).view(_WHOLE_ENTRY))
     pairs = np.empty((len(found), 2), "<u4")
     pairs[:, 0], pairs[:, 1] = found, counts
     return indexes.data, pairs.tobytes()

@@ -28,6 +28,7 @@ class Headers:
     def __init__(self, sample: bytes, places: Mapping[str, int]) -> None:
         self.sample = sample
         self.length = len(sample)
+        self._whole = np.dtype(f"V{self.length}")
         self._row = np.dtype(
             {
                 "names": list(places),
@@ -49,7 +50,7 @@ class Headers:
         rows = np.frombuffer(content, self._row)
         for name, column in numbers.items():
             rows[name] = column
-        put(buffer, places, np.frombuffer(content, f"V{self.length}"))
+        put(buffer, places, np.frombuffer(content, self._whole))
 
 
 _MESSAGE = record({"op": OP_MESSAGE, "conn": bytes(4), "time": bytes(8)}, b"")
