@@ -90,7 +90,7 @@ def rows_breach(messages: OutgoingRows) -> Optional[str]:
         A phrase that goes on after the agent's name; None if all is well.
     """
     topics, type_name, columns = messages
-    if not (isinstance(topics, tuple) and all(isinstance(topic, str) for topic in topics)):
+    if not (isinstance(topics, tuple) and all(issubclass(each, str) for each in set(map(type, topics)))):
         return f"answered an OutgoingRows on {shown(topics)}; accepted is a tuple of texts"
     if not isinstance(type_name, str):
         return f"answered an OutgoingRows of type {shown(type_name)}; accepted is a text"

@@ -102,6 +102,7 @@ class Charges:
         self._absent: Set[str] = set()
         self._ended: Set[str] = set()
         self._done: Set[str] = set()
+        self._hindrances: Optional[Tuple[Tuple[Charge, str], ...]] = None
 
     def __iter__(self) -> Iterator[Charge]:
         return iter(self._charges.values())
@@ -134,11 +135,13 @@ class Charges:
             later: True if it is not there until it appears.
         """
         self._charges[charge.task.id] = charge
+        self._hindrances = None
         if later:
             self._absent.add(charge.task.id)
 
     def end(self, task_id: str, progress: Progress) -> None:
         """Take in that any task has ended: DONE, FAILED or WITHDRAWN."""
+        self._hindrances = None
         if task_id in self._charges:
             self._ended.add(task_id)
         if progress is Progress.DONE:
@@ -146,6 +149,7 @@ class Charges:
 
     def appear(self, task_id: str) -> None:
         """Take in that any task is there, perhaps anew: it then is neither done nor ended otherwise."""
+        self._hindrances = None
         self._absent.discard(task_id)
         self._ended.discard(task_id)
         self._done.discard(task_id)
@@ -154,6 +158,12 @@ class Charges:
         """Tell whether a task has ended, or has become another since it was begun."""
         task_id = charge.task.id
         return task_id in self._ended or self._charges.get(task_id) is not charge
+
+    def with_hindrances(self) -> Tuple[Tuple[Charge, str], ...]:
+        """List all tasks, each with what ``hindrance`` says of it; that changes only with what is told of tasks."""
+        if self._hindrances is None:
+            self._hindrances = tuple((charge, self.hindrance(charge)) for charge in self._charges.values())
+        return self._hindrances
 
     def hindrance(self, charge: Charge) -> str:
         """Say why a task may not be begun, whatever its behaviour thinks of it; empty if it may."""

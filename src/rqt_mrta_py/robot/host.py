@@ -219,13 +219,13 @@ class RobotHost:
 
     def _applicable(self) -> Dict[str, bool]:
         applicable = {}
-        for charge in self._charges:
-            try:
-                applicable[charge.task.id] = not self._charges.hindrance(charge) and charge.is_applicable()
-            except MrtaError:
-                raise
-            except Exception as error:
-                raise self._asking.failure(_who(charge), error) from error
+        try:
+            for charge, hindrance in self._charges.with_hindrances():
+                applicable[charge.task.id] = not hindrance and charge.is_applicable()
+        except MrtaError:
+            raise
+        except Exception as error:
+            raise self._asking.failure(_who(charge), error) from error
         return applicable
 
     def _cost(self, task_id: str) -> Optional[float]:

@@ -133,7 +133,7 @@ def test_both_forms_do_the_same_with_a_low_level_node(moments: list) -> None:
 
 
 def test_both_forms_do_the_same_with_what_was_heard_at_zero() -> None:
-    """Equation 3.3 passes over a message at 0 s, so at 6 s the one at 2 s is not yet 5 s old: task0 still grows slowly."""
+    """Equation 3.3 passes over a message at 0 s; at 6 s the one at 2 s is not yet 5 s old, and task0 grows slowly."""
     spoken = [[("two", "task0", 1.0, 5.0)], *[[("two", "task0", 0.0, 5.0)]] * 8]
     assert_equal_lives([(1.0, each, [], []) for each in spoken], 0.0)
 

@@ -19,6 +19,8 @@ from __future__ import annotations
 import logging
 from typing import Dict, List, Mapping, Optional, Sequence, Set, Tuple, Union
 
+import numpy as np
+
 from mrta_alliance import equations, messages
 from mrta_alliance.array_sets import MANY, ArraySets
 from mrta_alliance.behaviour_set import BehaviourSet
@@ -162,7 +164,11 @@ class AllianceAgent:
         if self._arrays is None:
             timeout = self._told.timeout_duration
             self._arrays = ArraySets(self._sets, self._communication, self._inhibition, timeout)
-        applicable = [self._finds_applicable(task, situation, feedback) for task in self._sets]
+        # As _finds_applicable, for all of them.
+        possible = np.array([*map(situation.applicable.get, self._sets)], bool)
+        if self._ended:
+            possible &= [task not in self._ended for task in self._sets]
+        applicable = possible & np.array([*feedback.values()], bool)
         self._arrays.evaluate(situation.now, self._before, self._believed, applicable)
         return self._arrays
 
@@ -217,7 +223,7 @@ class AllianceAgent:
                 if each.active and task in self._ended:
                     each.drop()
                     self._note_activity(each)
-        feedback = {task: self._feedback.finds_applicable(task, situation.now) for task in self._sets}
+        feedback = self._feedback.of(self._sets, situation.now)
         if taken is not None and self._finds_applicable(taken, situation, feedback):
             for task, each in self._sets.items():
                 if task == taken:

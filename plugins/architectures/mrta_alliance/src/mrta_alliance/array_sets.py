@@ -33,6 +33,9 @@ MANY = 16
 
 _NOBODY = -1
 
+_HEARD = np.dtype([("row", np.intp), ("first", float), ("newest", float), ("patience", float)])
+"""What is known of one robot with one task: the behaviour set, when it was heard first and last, phi [s]."""
+
 
 class ArraySets:
     """The behaviour sets of one robot that goes by the equations, without fairness.
@@ -74,10 +77,13 @@ class ArraySets:
         self.row = _NOBODY
         self.motivation = self.threshold = self.impatience = np.zeros(0)
         self.applicable = self.suppressed = self.resetted = self.acquiescent = np.zeros(0, bool)
-        # Robots heard within tau, with the row of the task that they announced.
-        self._fresh: Dict[Peer, int] = {}
+        # Where in ``heard`` each robot stands with a task; those that fell silent are dropped now and then.
+        self._slots: Dict[Peer, int] = {}
+        self._heard = np.zeros(0, _HEARD)
+        self._early = False
         for row, task in enumerate(sets):
-            self._fresh.update(dict.fromkeys(self._history(task).peers.values(), row))
+            for peer in self._history(task).peers.values():
+                self._hear_of(peer, row)
 
     @property
     def active(self) -> Optional[str]:
@@ -116,7 +122,7 @@ class ArraySets:
         now: float,
         before: float,
         believed: Iterable[Tuple[str, str]],
-        applicable: Sequence[bool],
+        applicable: Any,
     ) -> None:
         """Go through one cycle with every set.
 
@@ -124,14 +130,14 @@ class ArraySets:
             now: the time of this cycle [s].
             before: the time of the cycle before [s].
             believed: task and sender of the announcements taken in in this cycle.
-            applicable: by equation 3.1, in the order of sets.
+            applicable: by equation 3.1, in the order of sets, shape (sets,).
         """
         if self._settled:
             self._gather()
         self.resetted = self._find_resets(now, before, believed)
         on_its_task = self._find_impatience(now)
         self.acquiescent = self._find_acquiescence(now, on_its_task)
-        self.applicable = np.array(applicable, bool)
+        self.applicable = applicable
         held_back = ~self.applicable | self.resetted | self.acquiescent
         free = np.where(held_back, 0.0, np.minimum(self.motivation + self.impatience, self.threshold))
         # The active set is the first to which nothing is active that it would be inhibited by.
@@ -185,12 +191,11 @@ class ArraySets:
         self._row_of = {task: row for row, task in enumerate(self.tasks)}
         self._rows = np.arange(len(sets))
         self._told = [each.parameters for each in sets]
-        self._thresholds = [each.parameters.threshold for each in sets]
-        self._fast_rates = [each.parameters.fast_rate for each in sets]
+        self._fast_rates = np.array([each.parameters.fast_rate for each in sets])
         self._pace = np.array([each.pace for each in sets])
-        self._unslowed = self._pace * np.array(self._fast_rates)
+        self._unslowed = self._pace * self._fast_rates
         self._none = np.zeros(len(sets), bool)
-        self.threshold = np.array(self._thresholds)
+        self.threshold = np.array([each.parameters.threshold for each in sets])
         self.motivation = np.array([each.motivation for each in sets])
         self._orders = [(row, not each.ordered) for row, each in enumerate(sets) if each.ordered is not None]
         self.row, self._since = _NOBODY, 0.0
@@ -206,7 +211,7 @@ class ArraySets:
         reset: Dict[int, bool] = {}
         for task, robot in believed:
             row, peer = self._row_of[task], self._history(task).peers[robot]
-            self._fresh[peer] = row
+            self._hear_of(peer, row)
             if peer.noticed > before and equations.received((peer.noticed,), before, now):
                 reset[row] = True
         reset.update(self._orders)
@@ -217,27 +222,44 @@ class ArraySets:
         resetted[list(reset)] = list(reset.values())
         return resetted
 
+    def _hear_of(self, peer: Peer, row: int) -> None:
+        """Note what is remembered of a robot now."""
+        slot = self._slots.get(peer)
+        if slot is None:
+            slot = self._slots[peer] = len(self._slots)
+            if slot == len(self._heard):
+                self._heard = np.concatenate([self._heard, np.zeros(max(16, slot), _HEARD)])
+            self._heard["row"][slot] = row
+            self._heard["first"][slot] = peer.first
+            self._early = self._early or peer.first <= TIME_TOLERANCE
+        self._heard["newest"][slot] = peer.recent[-1]
+        self._heard["patience"][slot] = peer.patience
+
     def _find_impatience(self, now: float) -> List[Peer]:
         """Judge by equation 3.7; give the robots heard within tau on the active set's task."""
-        earliest = now - self._timeout + TIME_TOLERANCE
-        rates, thresholds = self._fast_rates.copy(), self._thresholds
+        heard = self._heard[: len(self._slots)]
+        fresh = heard["newest"] > now - self._timeout + TIME_TOLERANCE
+        # All announcements came after the first, so only where that came about zero do the others count.
+        slowing = fresh & (heard["first"] > now - heard["patience"] + TIME_TOLERANCE)
+        if self._early:
+            for slot, peer in enumerate(self._slots):
+                if peer.first <= TIME_TOLERANCE and fresh[slot]:
+                    slowing[slot] = not peer.announcements().received(0.0, now - peer.patience)
+        rows = heard["row"][slowing]
+        self.impatience = self._unslowed
+        if len(rows):
+            rates = self._fast_rates.copy()
+            np.minimum.at(rates, rows, self.threshold[rows] / heard["patience"][slowing])
+            self.impatience = self._pace * rates
         on_its_task: List[Peer] = []
-        silent: List[Peer] = []
-        for peer, row in self._fresh.items():
-            if peer.recent[-1] <= earliest:
-                silent.append(peer)
-                continue
-            if row == self.row:
-                on_its_task.append(peer)
-            first, patience = peer.first, peer.patience
-            # All of them came after the first, so only times about zero need the others.
-            if first > now - patience + TIME_TOLERANCE or (
-                first <= TIME_TOLERANCE and not peer.announcements().received(0.0, now - patience)
-            ):
-                rates[row] = min(rates[row], equations.slow_rate(thresholds[row], patience))
-        for peer in silent:
-            del self._fresh[peer]
-        self.impatience = self._pace * np.array(rates) if self._fresh else self._unslowed
+        if self.row != _NOBODY:
+            peers = list(self._slots)
+            on_its_task = [peers[slot] for slot in np.flatnonzero(fresh & (heard["row"] == self.row))]
+        if np.count_nonzero(fresh) < len(heard) // 2:
+            kept = np.flatnonzero(fresh).tolist()
+            peers = list(self._slots)
+            self._slots = {peers[slot]: place for place, slot in enumerate(kept)}
+            self._heard = heard[kept]
         return on_its_task
 
     def _find_acquiescence(self, now: float, on_its_task: Iterable[Peer]) -> Any:

@@ -37,11 +37,11 @@ class Feedback(Protocol):
         """Remember what came; messages of others are passed over."""
         ...
 
-    def finds_applicable(self, task: str, now: float) -> bool:
-        """Tell a task's sensory feedback.
+    def of(self, tasks: Iterable[str], now: float) -> Dict[str, bool]:
+        """Tell tasks' sensory feedback, by task, in their order.
 
         Args:
-            task: id of a task of this robot.
+            tasks: ids of tasks of this robot.
             now: the time [s].
         """
         ...
@@ -74,6 +74,10 @@ class HeardFeedback:
         for message in messages:
             if message.topic == self._topic:
                 self._newest[message.fields["task_id"]] = message
+
+    def of(self, tasks: Iterable[str], now: float) -> Dict[str, bool]:
+        """Tell tasks' sensory feedback."""
+        return {task: self.finds_applicable(task, now) for task in tasks}
 
     def finds_applicable(self, task: str, now: float) -> bool:
         """Tell what was said last of a task, if that is not too long ago."""
@@ -123,6 +127,14 @@ class Sensing:
             reader = self._by_topic.get(message.topic)
             if reader is not None:
                 reader.hear(message)
+
+    def of(self, tasks: Iterable[str], now: float) -> Dict[str, bool]:
+        """Tell tasks' sensory feedback; only those that have sensors need asking."""
+        told = dict.fromkeys(tasks, True)
+        for task in self._evaluators:
+            if task in told:
+                told[task] = self.finds_applicable(task, now)
+        return told
 
     def finds_applicable(self, task: str, now: float) -> bool:
         """Ask a task's evaluator; a task without sensors is always applicable as far as they are concerned."""
