@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Dict, Optional, Sequence, Set, Tuple
 
+import numpy as np
+
 from rqt_mrta_py.hooks import Heard, MeasureSetup, Subscription
 from rqt_mrta_py.model import MissionRecord
 from team_measures.floor import Floor
@@ -79,10 +81,13 @@ class ArenaCoverage:
         floor = Floor(self._scenario.arena, self._scenario.obstacles)
         if not floor.free_cells:
             return None
-        together = floor.near((), REACH)
+        tellers = sorted(self._spots)
+        places = [(x * _SPOT, y * _SPOT) for robot in tellers for x, y in sorted(self._spots[robot])]
+        owners = np.repeat(np.arange(len(tellers)), [len(self._spots[robot]) for robot in tellers])
+        which, cells = floor.near(places, REACH)
+        beyond = cells.max(initial=0) + 1
+        covered = np.unique(owners[which] * beyond + cells)
+        counts = np.bincount(covered // beyond, minlength=len(tellers)).tolist()
         robots: Dict[str, Optional[float]] = dict.fromkeys(self._team)
-        for robot in sorted(self._spots):
-            near = floor.near(((x * _SPOT, y * _SPOT) for x, y in sorted(self._spots[robot])), REACH)
-            together |= near
-            robots[robot] = int(near.sum()) / floor.free_cells
-        return {"team": int(together.sum()) / floor.free_cells, "robots": robots}
+        robots.update((robot, count / floor.free_cells) for robot, count in zip(tellers, counts))
+        return {"team": np.unique(cells).size / floor.free_cells, "robots": robots}
