@@ -134,6 +134,18 @@ def test_a_slot_that_cannot_be_reached_is_passed_over() -> None:
     assert hall.left() == []
 
 
+def test_a_robot_that_lying_things_have_closed_in_pushes_its_way_out() -> None:
+    """A robot that stopped beside the drop zone left a gap that the last thing put down closed."""
+    turns = [2.0 * math.pi * index / 10 for index in range(10)]
+    ring = {
+        f"bottle{index}": Thing("bottle", 7.0 + 0.7 * math.cos(turn), 1.5 + 0.7 * math.sin(turn))
+        for index, turn in enumerate(turns)
+    }
+    hall = Hall(ring, Pose(7.0, 1.5), task=collecting(patience=5))
+    hall.start()
+    assert hall.run(200.0).progress is Progress.DONE
+
+
 def test_the_wrong_thing_is_let_go() -> None:
     # Before the can by 0.1 m and aside by 0.12 m, so that it is nearer when the gripper closes, and ahead still.
     hall = Hall({"can1": Thing("can", 3.0, 4.0), "bottle1": Thing("bottle", 3.1, 4.12)}, task=collecting(tries=1))

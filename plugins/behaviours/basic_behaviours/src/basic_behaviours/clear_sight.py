@@ -25,10 +25,10 @@ class ClearSight:
     def __init__(self, model: RobotModel, radius: float) -> None:
         self._reach = model.radius + model.reach
         self._radius = radius
-        self._of: Tuple[object, ...] = (None,) * 4
+        self._of: Tuple[object, ...] = (None,) * 5
         self._clear: Optional[Sight] = None
 
-    def look(self, sight: Sight, detections: Heard, spared: str, *, carried: bool) -> Sight:
+    def look(self, sight: Sight, detections: Heard, spared: str, *, carried: bool, push: bool = False) -> Sight:
         """Give what stands in the way; the same again while nothing else is heard.
 
         Args:
@@ -36,14 +36,15 @@ class ClearSight:
             detections: what the detector saw last.
             spared: id of the thing that the robot is after; empty if none.
             carried: whether the robot holds it.
+            push: leave out lying things that the range finder overlooks, so that the robot pushes them aside.
         """
-        of = (sight, detections, spared, carried)
+        of = (sight, detections, spared, carried, push)
         if self._clear is None or any(one is not other for one, other in zip(of, self._of)):
             self._of = of
             self._clear = self._look(*of)
         return self._clear
 
-    def _look(self, sight: Sight, detections: Heard, spared: str, carried: bool) -> Sight:
+    def _look(self, sight: Sight, detections: Heard, spared: str, carried: bool, push: bool) -> Sight:
         clear = sight
         if carried:
             clear = clear.without_disc(Disc(self._reach / 2.0, 0.0, self._reach / 2.0 + self._radius + _SLACK))
@@ -54,4 +55,4 @@ class ClearSight:
                 others.append(Disc(x, y, self._radius))
             elif not carried:
                 clear = clear.without_disc(Disc(x, y, self._radius + _SLACK))
-        return clear.with_discs(others) if others else clear
+        return clear.with_discs(others) if others and not push else clear

@@ -110,6 +110,7 @@ class Errand:
         self._brought = 0
         self._barred: List[Pose] = []
         self._begun = False
+        self._push = False
 
     @property
     def has_begun(self) -> bool:
@@ -139,10 +140,11 @@ class Errand:
             self._begun = True
             self._tries[self._target.id] = self._tries.get(self._target.id, 0) + 1
             self._stop = None
+            self._push = self._tries[self._target.id] % 2 == 0
             self._set_out_for(self._target, senses.pose)
             return Phase.APPROACH
         if self._surprised:
-            self._surprised, self._stop = False, None
+            self._surprised, self._push, self._stop = False, False, None
             self._search.begin(senses.pose)
         stop = self._search.stop or self._look_at_zone()
         if stop is None:
@@ -157,6 +159,11 @@ class Errand:
             self._seen_zone = True
             return Phase.SEARCH
         reached = state is JourneyState.ARRIVED
+        if not reached and not self._push:
+            # Lying things may have closed the robot in: once more, pushing them aside.
+            self._push = True
+            return Phase.SEARCH
+        self._push = False
         self._search.leave(reached=reached)
         if reached:
             self._begun = True
@@ -212,6 +219,7 @@ class Errand:
         slot = self._slot
         if slot is None or not self._zone.is_free(slot, self._findings.taken):
             slot = self._zone.free_slot((*self._findings.taken, *self._barred), pose)
+        self._push = len(self._barred) % 2 == 1
         if slot != self._slot:
             self._slot, self._since = slot, math.inf
             self._set_out(slot, self._take.distance + _SLACK)
@@ -297,7 +305,8 @@ class Errand:
 
     def _clear_sight(self, senses: Senses) -> Sight:
         spared = self._carried or (self._target.id if self._target else "")
-        return self._clear.look(senses.sight, senses.detections, spared, carried=bool(self._carried))
+        carried = bool(self._carried)
+        return self._clear.look(senses.sight, senses.detections, spared, carried=carried, push=self._push)
 
 
 def _drive(twist: Twist, gripper: float = OPEN) -> BehaviourStep:
