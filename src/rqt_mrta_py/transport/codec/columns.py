@@ -20,8 +20,9 @@ from rqt_mrta_py.wording import shown
 
 __all__ = ["ColumnEncoder"]
 
-_MOST_SHEETS = 16
-"""How many sheets are kept for a type: one for each topic and group of robots that speak together."""
+_MOST_SHEETS = 256
+"""How many sheets are kept for a type: one for each topic and group of robots that speak together, and one for each
+robot that says many messages together."""
 
 _FAULTS = (ArithmeticError, TypeError, ValueError, struct.error)
 """What a sheet raises for numbers that do not fit."""
