@@ -15,7 +15,7 @@ import pytest
 from numpy.typing import NDArray
 
 from rqt_mrta_py.hooks import Curve, CurveGroup, CurvePanel, MonitorView
-from rqt_mrta_py.model import Arena, Event, Incident, Obstacle, Pose, RobotState, Severity
+from rqt_mrta_py.model import Arena, Event, Incident, Obstacle, Outcome, Pose, RobotState, Severity
 from rqt_mrta_py.render import draw_monitor
 from rqt_mrta_py.render.arena import Named, arena_part, draw_arena
 from rqt_mrta_py.render.canvas import Box, Canvas
@@ -309,3 +309,13 @@ def odd_views() -> Iterable[Tuple[str, MonitorView]]:
 @pytest.mark.parametrize(("name", "view"), list(odd_views()), ids=[name for name, _ in odd_views()])
 def test_monitor_draws_odd_views_too(name: str, view: MonitorView) -> None:
     assert draw_monitor(view).shape == (720, 1280, 3), name
+
+
+@pytest.mark.parametrize("name", ["cans", "i"])
+def test_a_bar_says_its_task_however_short_the_name(name: str) -> None:
+    def panel_of(name: str) -> Picture:
+        record = views.record_of(["rover"], [name], [("rover", name, 4.0, math.inf, Outcome.OPEN)], {}, 21.0)
+        left, top, right, bottom = (round(side) for side in TIMELINE)
+        return draw_monitor(replace(views.single(), record=record))[top:bottom, left:right]
+
+    assert (panel_of(name) != panel_of(" ")).any()

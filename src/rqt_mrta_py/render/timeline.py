@@ -288,7 +288,8 @@ def _draw_bar(whole: Canvas, place: Box, bar: _Bar) -> None:
         canvas.fill(Box(place.width - 1, 0, place.width, place.height), WHITE)
     if place.height >= _LEAST_FOR_TEXT and room > _LEAST_FOR_WORDS:
         words = shorten(bar.task, _BAR_TEXT, room - 6.0)
-        if len(words) > 4:
+        # Of a longer name, three letters and a sign of omission say nothing.
+        if words == bar.task or len(words) > 4:
             canvas.text(4.0, middle, words, _BAR_TEXT, ink, colour)
 
 
