@@ -145,9 +145,7 @@ def test_all_charts_share_one_horizontal_axis() -> None:
 
 
 def test_more_charts_than_a_picture_can_be_high_are_told() -> None:
-    with pytest.raises(
-        RenderError, match=r"^figure name: 500 charts make a picture 72\d\d\d pixels high"
-    ):
+    with pytest.raises(RenderError, match=r"^figure name: 500 charts make a picture 72\d\d\d pixels high"):
         draw_figure(figure(*[chart(RISE)] * 500))
 
 
