@@ -5,10 +5,10 @@ It talks as a robot under nearest_robot does, with a cost of 0 for everything, s
 
 from __future__ import annotations
 
-import math
-from typing import Dict, List, Sequence, Set
+from typing import List, Sequence
 
 from nearest_robot.bids import BIDS, Bid, Offer, bid_message, claim_message
+from nearest_robot.known_tasks import KnownTasks
 from nearest_robot.listening import Listening
 
 from mrta_baselines.chance import RandomRule
@@ -16,11 +16,10 @@ from mrta_baselines.fixed import FixedRule
 from mrta_baselines.parameters import read_parameters
 from mrta_baselines.rule import Rule
 from rqt_mrta_py.hooks import AgentSetup, Decision, Outgoing, Situation, Subscription, TaskReport
-from rqt_mrta_py.model import Progress, Task
+from rqt_mrta_py.model import Progress
 
 __all__ = ["BaselineAgent"]
 
-_ENDS = (Progress.DONE, Progress.FAILED, Progress.WITHDRAWN)
 _FREE = 0.0
 
 
@@ -45,11 +44,8 @@ class BaselineAgent:
             if self._told.rule == "fixed"
             else RandomRule(setup.robot_id, setup.random)
         )
-        self._tasks: Dict[str, Task] = {task.id: task for task in (*setup.tasks, *setup.later_tasks)}
-        self._ended: Set[str] = set()
-        self._unreachable_until: Dict[str, float] = {}
+        self._known = KnownTasks(setup.robot_id, (*setup.tasks, *setup.later_tasks), self._told.retry)
         self._holding = ""
-        self._ordered = ""
 
     @property
     def rate(self) -> float:
@@ -66,13 +62,13 @@ class BaselineAgent:
         self._listening.take_in(situation.heard)
         for report in situation.reports:
             self._note(report, now)
-        offers = [task for task in self._tasks if self._is_possible(task, situation)]
+        offers = [task for task in self._known.tasks if self._is_possible(task, situation)]
         task = self._rule.choose(now, self._holding, offers, self._listening.fresh(now))
-        if self._ordered in offers:
-            task = self._ordered
+        if self._known.ordered in offers:
+            task = self._known.ordered
         self._holding = task or ""
-        told = {each: Offer(_FREE, self._tasks[each].robots) for each in offers}
-        bid = Bid(self._robot_id, told, self._holding, self._ordered)
+        told = {each: Offer(_FREE, self._known.tasks[each].robots) for each in offers}
+        bid = Bid(self._robot_id, told, self._holding, self._known.ordered)
         self._listening.remember(bid, now)
         said: List[Outgoing] = [bid_message(bid, now)]
         if task is not None:
@@ -80,30 +76,12 @@ class BaselineAgent:
         return Decision(task, said)
 
     def _is_possible(self, task: str, situation: Situation) -> bool:
-        barred = task in self._ended or situation.now < self._unreachable_until.get(task, -math.inf)
-        return not barred and situation.applicable.get(task, False)
+        return self._known.is_open(task, situation.now) and situation.applicable.get(task, False)
 
     def _note(self, report: TaskReport, now: float) -> None:
-        task = report.task
-        if report.progress in _ENDS:
-            self._ended.add(task)
-            self._revoke(task)
-        elif report.progress is Progress.UNREACHABLE:
-            self._unreachable_until[task] = now + self._told.retry
-        elif report.progress is Progress.APPEARED:
-            self._ended.discard(task)
-            self._unreachable_until.pop(task, None)
-            self._rule.reassign(task, None)
-            if report.definition is not None:
-                self._tasks[task] = report.definition
+        self._known.note(report, now)
+        if report.progress is Progress.APPEARED:
+            self._rule.reassign(report.task, None)
         elif report.progress is Progress.REASSIGNED:
-            self._revoke(task)
-            self._rule.reassign(task, report.robot)
-            self._listening.order(task, report.robot)
-            if report.robot == self._robot_id:
-                self._ordered = task
-                self._unreachable_until.pop(task, None)
-
-    def _revoke(self, task: str) -> None:
-        if self._ordered == task:
-            self._ordered = ""
+            self._rule.reassign(report.task, report.robot)
+            self._listening.order(report.task, report.robot)

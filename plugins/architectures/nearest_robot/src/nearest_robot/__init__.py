@@ -3,6 +3,7 @@
 * ``allocators``: greedy and optimal, for this and other architectures; ``benchmark``: compares them
 * ``parameters``: what one robot is told
 * ``bids``: what robots tell one another; ``listening``: the newest bid of each
+* ``known_tasks``: what is reported of the robot's tasks
 * ``allotment``: from bids to who carries out what; ``agent``: the robot's cycle
 * ``interpreter``: tells from bids what became of an allocation
 * ``panel``: costs, for pictures

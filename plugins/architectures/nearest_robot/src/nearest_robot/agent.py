@@ -8,18 +8,17 @@ This is the broadcast of local eligibility of Werger and Mataric (2000) with an 
 from __future__ import annotations
 
 import math
-from typing import Dict, List, Optional, Sequence, Set
+from typing import Dict, List, Optional, Sequence
 
 from nearest_robot.allotment import allot
 from nearest_robot.bids import BIDS, Bid, Offer, bid_message, claim_message
+from nearest_robot.known_tasks import KnownTasks
 from nearest_robot.listening import Listening
 from nearest_robot.parameters import read_parameters
-from rqt_mrta_py.hooks import AgentSetup, Decision, Outgoing, Situation, Subscription, TaskReport
-from rqt_mrta_py.model import Progress, Task
+from rqt_mrta_py.hooks import AgentSetup, Decision, Outgoing, Situation, Subscription
+from rqt_mrta_py.model import Progress
 
 __all__ = ["NearestRobotAgent"]
-
-_ENDS = (Progress.DONE, Progress.FAILED, Progress.WITHDRAWN)
 
 
 class NearestRobotAgent:
@@ -43,10 +42,7 @@ class NearestRobotAgent:
             raise ValueError(f"allocator: nobody registers {self._told.allocator!r}; there are: {known}")
         self._allocator = setup.allocators[self._told.allocator]
         self._listening = Listening(setup.robot_id, setup.team, self._told.timeout)
-        self._tasks: Dict[str, Task] = {task.id: task for task in (*setup.tasks, *setup.later_tasks)}
-        self._ended: Set[str] = set()
-        self._unreachable_until: Dict[str, float] = {}
-        self._ordered = ""
+        self._known = KnownTasks(setup.robot_id, (*setup.tasks, *setup.later_tasks), self._told.retry)
 
     @property
     def rate(self) -> float:
@@ -62,45 +58,23 @@ class NearestRobotAgent:
         now = situation.now
         self._listening.take_in(situation.heard)
         for report in situation.reports:
-            self._note(report, now)
+            self._known.note(report, now)
+            if report.progress is Progress.REASSIGNED:
+                self._listening.order(report.task, report.robot)
         offers = self._offers(situation)
         task = self._allotted(now)
         holding = task if task in offers else None
-        bid = Bid(self._robot_id, offers, holding or "", self._ordered)
+        bid = Bid(self._robot_id, offers, holding or "", self._known.ordered)
         self._listening.remember(bid, now)
         said: List[Outgoing] = [bid_message(bid, now)]
         if holding is not None:
             said.append(claim_message(self._robot_id, holding, now))
         return Decision(holding, said)
 
-    def _note(self, report: TaskReport, now: float) -> None:
-        task = report.task
-        if report.progress in _ENDS:
-            self._ended.add(task)
-            self._revoke(task)
-        elif report.progress is Progress.UNREACHABLE:
-            self._unreachable_until[task] = now + self._told.retry
-        elif report.progress is Progress.APPEARED:
-            self._ended.discard(task)
-            self._unreachable_until.pop(task, None)
-            if report.definition is not None:
-                self._tasks[task] = report.definition
-        elif report.progress is Progress.REASSIGNED:
-            self._revoke(task)
-            self._listening.order(task, report.robot)
-            if report.robot == self._robot_id:
-                self._ordered = task
-                self._unreachable_until.pop(task, None)
-
-    def _revoke(self, task: str) -> None:
-        if self._ordered == task:
-            self._ordered = ""
-
     def _offers(self, situation: Situation) -> Dict[str, Offer]:
         offers = {}
-        for task in self._tasks.values():
-            barred = task.id in self._ended or situation.now < self._unreachable_until.get(task.id, -math.inf)
-            if barred or not situation.applicable.get(task.id, False):
+        for task in self._known.tasks.values():
+            if not (self._known.is_open(task.id, situation.now) and situation.applicable.get(task.id, False)):
                 continue
             cost = self._cost(task.id, situation)
             if cost is not None:
@@ -116,5 +90,5 @@ class NearestRobotAgent:
 
     def _allotted(self, now: float) -> Optional[str]:
         bids = self._listening.fresh(now)
-        allotted = allot(bids, self._tasks, self._ended, self._told.keep, self._allocator)
+        allotted = allot(bids, self._known.tasks, self._known.ended, self._told.keep, self._allocator)
         return allotted.get(self._robot_id)
