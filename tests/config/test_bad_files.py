@@ -113,7 +113,7 @@ SAID: Dict[str, Tuple[str, ...]] = {
     ),
     "tasks_key_twice.yaml": ("4: id: stands twice; the first one is in line 2",),
     "tasks_not_a_list.yaml": (
-        "1: tasks: must be a list of mappings (id, kind, place, capabilities, predecessors, resources, "
+        "1: tasks: must be a list of mappings (id, kind, layers, place, capabilities, predecessors, resources, "
         "robots, expected_duration, perpetual, data) (got {'a': 1})",
     ),
     "tasks_not_finite.yaml": (

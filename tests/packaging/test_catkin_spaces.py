@@ -103,7 +103,7 @@ def test_mrta_lists_every_plugin_of_the_space(space: Space) -> None:
     listing = json.loads(space.run("rosrun", "rqt_mrta_py", "mrta", "list", "--json"))
     found = {entry["folder"] for entry in listing["plugins"] if entry["name"] != "rqt_mrta_py"}
     assert {Path(folder) for folder in found} <= set(plugin_folders(space).values())
-    assert len(found) == 5
+    assert len(found) == 8
 
 
 def test_rosrun_runs_a_mission_to_the_same_bytes_in_both_spaces(workspace: Workspace) -> None:

@@ -223,7 +223,8 @@ def test_template_and_dataclasses_agree_on_defaults(root: Path) -> None:
 @pytest.mark.parametrize("tasks", [("patrol",), ("patrol", "inspect", "report", "cook")])
 def test_template_alone_suits_any_robot(root: Path, tasks: Tuple[str, ...]) -> None:
     path = root / "plugins/architectures/mrta_alliance/rqt_mrta.xml"
-    (template,) = read_architecture(path.read_bytes(), str(path), "mrta_alliance").configs
+    architecture = read_architecture(path.read_bytes(), str(path), "mrta_alliance")
+    (template,) = [config for config in architecture.configs if config.id == architecture.robot_config_id]
     context = ParameterContext("robot1", tasks, False, "app", str(path), str(path))
     values = resolve_parameters(template, (), context).values
     assert values["name"] == "robot1"

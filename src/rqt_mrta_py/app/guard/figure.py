@@ -86,9 +86,7 @@ def _breach(figure: Figure) -> Optional[str]:
             if not all(_are_numbers(values) for values in (line.x, line.y, line.low, line.high) if values is not None):
                 return f"line {line.label!r} has values that are no numbers"
             if not (line.colour is None or (isinstance(line.colour, int) and line.colour >= Line.REFERENCE)):
-                return (
-                    f"line {line.label!r} has the colour {shown(line.colour)}; an index is needed, or None"
-                )
+                return f"line {line.label!r} has the colour {shown(line.colour)}; an index is needed, or None"
     return None
 
 
