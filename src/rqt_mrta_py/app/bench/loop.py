@@ -98,7 +98,7 @@ def _cases(text: str) -> List[_Case]:
         if not world or not number.isdigit() or not int(number):
             raise argparse.ArgumentTypeError(f"{part!r}: a world and a number of robots are expected, as in bullet:10")
         robots = int(number)
-        cases.append(_Case(world, robots, 30.0 if robots <= 10 else 10.0 if robots <= 100 else 4.0))
+        cases.append(_Case(world, robots, 30.0 if robots <= 10 else 11.0))
     return cases
 
 
