@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields
-from typing import Any, Dict, List, Mapping, Tuple
+from typing import Any, List, Mapping, Tuple
 
-from nearest_robot.parameters import ParameterRangeError
+from nearest_robot.parameters import ParameterRangeError, cycle_problems, read_fields
 
 from rqt_mrta_py.hooks import ParameterProblem
 
@@ -37,12 +37,7 @@ class BaselineParameters:
         problems: List[ParameterProblem] = []
         if self.rule not in RULES:
             problems.append(ParameterProblem("rule", f"must be one of {', '.join(RULES)} (got {self.rule!r})"))
-        # Below 2 Hz the claims that rqt_mrta.xml monitors would not stay fresh from cycle to cycle.
-        if not 2.0 <= self.rate <= 100.0:
-            problems.append(ParameterProblem("rate", f"must be from 2 to 100 Hz (got {self.rate:g})"))
-        elif not 2.0 / self.rate <= self.timeout < math.inf:
-            message = f"must be at least two cycles, {2.0 / self.rate:g} s (got {self.timeout:g}), or robots at work"
-            problems.append(ParameterProblem("timeout", f"{message} would be left out"))
+        problems += cycle_problems(self.rate, self.timeout)
         for name in ("settle", "retry"):
             value = getattr(self, name)
             if not 0.0 <= value < math.inf:
@@ -60,24 +55,8 @@ def read_parameters(given: Mapping[str, Any]) -> BaselineParameters:
     Raises:
         ParameterRangeError: carries everything that is wrong.
     """
-    values: Dict[str, Any] = {}
-    problems: List[ParameterProblem] = []
-    for field in fields(BaselineParameters):
-        value = given.get(field.name, field.default)
-        if field.name == "rule" and isinstance(value, str):
-            values[field.name] = value
-        elif field.name != "rule" and isinstance(value, (int, float)) and not isinstance(value, bool):
-            values[field.name] = float(value)
-        else:
-            wanted = "text" if field.name == "rule" else "number"
-            problems.append(ParameterProblem(field.name, f"must be a {wanted} (got {value!r})"))
-    try:
-        parameters = BaselineParameters(**values)
-    except ParameterRangeError as error:
-        problems.extend(error.problems)
-    if problems:
-        raise ParameterRangeError(tuple(problems))
-    return parameters
+    defaults = {field.name: field.default for field in fields(BaselineParameters)}
+    return read_fields(BaselineParameters, defaults, given)
 
 
 def find_problems(given: Mapping[str, Any]) -> Tuple[ParameterProblem, ...]:

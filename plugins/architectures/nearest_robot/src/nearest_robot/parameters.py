@@ -4,11 +4,20 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields
-from typing import Any, Dict, List, Mapping, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Tuple, TypeVar
 
 from rqt_mrta_py.hooks import ParameterProblem
 
-__all__ = ["NearestRobotParameters", "ParameterRangeError", "find_problems", "read_parameters"]
+__all__ = [
+    "NearestRobotParameters",
+    "ParameterRangeError",
+    "cycle_problems",
+    "find_problems",
+    "read_fields",
+    "read_parameters",
+]
+
+_Parameters = TypeVar("_Parameters")
 
 
 class ParameterRangeError(ValueError):
@@ -44,13 +53,7 @@ class NearestRobotParameters:
     allocator: str = "nearest_robot/nearest"
 
     def __post_init__(self) -> None:
-        problems: List[ParameterProblem] = []
-        # Below 2 Hz the claims that rqt_mrta.xml monitors would not stay fresh from cycle to cycle.
-        if not 2.0 <= self.rate <= 100.0:
-            problems.append(ParameterProblem("rate", f"must be from 2 to 100 Hz (got {self.rate:g})"))
-        elif not 2.0 / self.rate <= self.timeout < math.inf:
-            message = f"must be at least two cycles, {2.0 / self.rate:g} s (got {self.timeout:g}), or robots at work"
-            problems.append(ParameterProblem("timeout", f"{message} would be left out"))
+        problems = cycle_problems(self.rate, self.timeout)
         for name, unit in (("keep", "m"), ("retry", "s"), ("unknown_cost", "m")):
             value = getattr(self, name)
             if not 0.0 <= value < math.inf:
@@ -59,6 +62,55 @@ class NearestRobotParameters:
             problems.append(ParameterProblem("allocator", "must name an allocator, as package/name (got nothing)"))
         if problems:
             raise ParameterRangeError(tuple(problems))
+
+
+def cycle_problems(rate: float, timeout: float) -> List[ParameterProblem]:
+    """Find what is wrong with how often robots tell their bids, and after what silence they are left out.
+
+    Args:
+        rate: of a robot's cycles [Hz].
+        timeout: after which another robot's bids no longer count [s].
+    """
+    # Below 2 Hz the claims that rqt_mrta.xml monitors would not stay fresh from cycle to cycle.
+    if not 2.0 <= rate <= 100.0:
+        return [ParameterProblem("rate", f"must be from 2 to 100 Hz (got {rate:g})")]
+    if not 2.0 / rate <= timeout < math.inf:
+        message = f"must be at least two cycles, {2.0 / rate:g} s (got {timeout:g}), or robots at work"
+        return [ParameterProblem("timeout", f"{message} would be left out")]
+    return []
+
+
+def read_fields(kind: Callable[..., _Parameters], defaults: Mapping[str, Any], given: Mapping[str, Any]) -> _Parameters:
+    """Make parameters, each a text or a number as its default is; what is missing takes its default.
+
+    Args:
+        kind: makes them of all values by name, or raises ParameterRangeError.
+        defaults: by name, in order.
+        given: as in the robot's YAML file.
+
+    Raises:
+        ParameterRangeError: carries everything that is wrong.
+    """
+    values: Dict[str, Any] = {}
+    problems: List[ParameterProblem] = []
+    for name, default in defaults.items():
+        value = given.get(name, default)
+        if isinstance(default, str):
+            if isinstance(value, str):
+                values[name] = value
+            else:
+                problems.append(ParameterProblem(name, f"must be a text (got {value!r})"))
+        elif isinstance(value, (int, float)) and not isinstance(value, bool):
+            values[name] = float(value)
+        else:
+            problems.append(ParameterProblem(name, f"must be a number (got {value!r})"))
+    try:
+        parameters = kind(**values)
+    except ParameterRangeError as error:
+        problems.extend(error.problems)
+    if problems:
+        raise ParameterRangeError(tuple(problems))
+    return parameters
 
 
 def read_parameters(given: Mapping[str, Any]) -> NearestRobotParameters:
@@ -70,26 +122,8 @@ def read_parameters(given: Mapping[str, Any]) -> NearestRobotParameters:
     Raises:
         ParameterRangeError: carries everything that is wrong.
     """
-    values: Dict[str, Any] = {}
-    problems: List[ParameterProblem] = []
-    for field in fields(NearestRobotParameters):
-        value = given.get(field.name, field.default)
-        if field.name == "allocator":
-            if isinstance(value, str):
-                values[field.name] = value
-            else:
-                problems.append(ParameterProblem(field.name, f"must be a text (got {value!r})"))
-        elif isinstance(value, (int, float)) and not isinstance(value, bool):
-            values[field.name] = float(value)
-        else:
-            problems.append(ParameterProblem(field.name, f"must be a number (got {value!r})"))
-    try:
-        parameters = NearestRobotParameters(**values)
-    except ParameterRangeError as error:
-        problems.extend(error.problems)
-    if problems:
-        raise ParameterRangeError(tuple(problems))
-    return parameters
+    defaults = {field.name: field.default for field in fields(NearestRobotParameters)}
+    return read_fields(NearestRobotParameters, defaults, given)
 
 
 def find_problems(given: Mapping[str, Any]) -> Tuple[ParameterProblem, ...]:
