@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Dict, Mapping, Sequence
 
 from rqt_mrta_py.app.guard import GuardedExporter, made
+from rqt_mrta_py.app.outputs.asked_for import asked_for
 from rqt_mrta_py.app.outputs.folder import OutputFolder, safe_file_name
-from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.hooks import Exporter, ExporterFactory, ExporterSetup
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Mission, MissionRecord
@@ -32,13 +32,10 @@ def exporters_for(mission: Mission, names: Sequence[str], manager: PluginManager
     if not names:
         return {}
     factories: Mapping[str, ExporterFactory] = manager.registered("mrta_register_exporters")
-    for name in names:
-        if name not in factories:
-            known = ", ".join(sorted(factories)) or "none"
-            raise UsageError(f"--export {name}: there is no such exporter; there are: {known}")
+    chosen = asked_for("--export", "there is no such exporter", names, factories)
     setup = ExporterSetup(mission)
     needs = ("subscriptions", "hear", "export")
-    return {name: GuardedExporter(name, made(f"exporter {name}", factories[name], setup, *needs)) for name in names}
+    return {name: GuardedExporter(name, made(f"exporter {name}", factories[name], setup, *needs)) for name in chosen}
 
 
 def write_exports(folder: OutputFolder, exporters: Mapping[str, Exporter], record: MissionRecord) -> None:

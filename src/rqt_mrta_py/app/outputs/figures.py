@@ -6,8 +6,8 @@ import logging
 from typing import Dict, Mapping, Sequence, Tuple
 
 from rqt_mrta_py.app.guard import GuardedFigureMaker, made
+from rqt_mrta_py.app.outputs.asked_for import asked_for
 from rqt_mrta_py.app.outputs.folder import OutputFolder, safe_file_name
-from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.hooks import Figure, FigureMaker, FigureMakerFactory, FigureSetup
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Mission, MissionRecord
@@ -37,14 +37,11 @@ def figure_makers_for(mission: Mission, names: Sequence[str], manager: PluginMan
     if not names:
         return {}
     factories: Mapping[str, FigureMakerFactory] = manager.registered("mrta_register_figures")
-    for name in names:
-        if name not in factories:
-            known = ", ".join(sorted(factories)) or "none"
-            raise UsageError(f"--figures {name}: there are no such figures; there are: {known}")
+    chosen = asked_for("--figures", "there are no such figures", names, factories)
     require_figures()
     setup = FigureSetup(mission)
     needs = ("subscriptions", "hear", "figures")
-    return {name: GuardedFigureMaker(name, made(f"figures {name}", factories[name], setup, *needs)) for name in names}
+    return {name: GuardedFigureMaker(name, made(f"figures {name}", factories[name], setup, *needs)) for name in chosen}
 
 
 def figures_of(makers: Mapping[str, FigureMaker], record: MissionRecord) -> Dict[str, Tuple[Figure, ...]]:
