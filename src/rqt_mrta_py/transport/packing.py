@@ -32,6 +32,7 @@ class BatchPacker:
         self._numbers: Dict[Connection, int] = {}
         self._line_ups: List[Optional[Tuple[Connection, ...]]] = [None] * _LINE_UPS
         # Sources hand in the same objects again and again: their identity is found faster than their value.
+        self._number_by_identity: Dict[int, int] = {}
         self._line_up_by_identity: Dict[int, int] = {}
         self._next_line_up = 0
 
@@ -61,12 +62,16 @@ class BatchPacker:
         # Kept here, so that no other tuple can take over its identity.
         self._line_ups[place] = connections
         self._line_up_by_identity[id(connections)] = place
-        return place, [self._number(connection, new) for connection in connections]
+        try:
+            return place, list(map(self._number_by_identity.__getitem__, map(id, connections)))
+        except KeyError:
+            return place, [self._number(connection, new) for connection in connections]
 
     def _number(self, connection: Connection, new: List[_Row]) -> int:
         number = self._numbers.get(connection)
         if number is None:
-            number = self._numbers[connection] = len(self._numbers)
+            # The key keeps its connection alive, so that no other object can take over its identity.
+            number = self._numbers[connection] = self._number_by_identity[id(connection)] = len(self._numbers)
             new.append(
                 (
                     connection.topic,
