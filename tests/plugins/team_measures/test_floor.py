@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import List, Set, Tuple
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -20,7 +21,11 @@ def test_an_empty_room_of_2_by_2_metres_has_64_cells() -> None:
 
 
 def cells_near(floor: Floor, places: List[Tuple[float, float]], reach: float) -> Set[int]:
-    return set(floor.near(places, reach)[1].tolist())
+    """Give the cells' numbers, rows along x after one another."""
+    near = np.zeros(floor.shape, dtype=bool)
+    patch = floor.near(places, reach)
+    near[patch.rows, patch.columns] = patch.cells
+    return set(np.flatnonzero(near).tolist())
 
 
 @pytest.mark.parametrize(

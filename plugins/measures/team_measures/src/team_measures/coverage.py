@@ -79,15 +79,13 @@ class ArenaCoverage:
         if self._scenario is None or not self._spots:
             return None
         floor = Floor(self._scenario.arena, self._scenario.obstacles)
-        if not floor.free_cells:
+        free = floor.free_cells
+        if not free:
             return None
-        tellers = sorted(self._spots)
-        places = [(x * _SPOT, y * _SPOT) for robot in tellers for x, y in sorted(self._spots[robot])]
-        owners = np.repeat(np.arange(len(tellers)), [len(self._spots[robot]) for robot in tellers])
-        which, cells = floor.near(places, REACH)
-        beyond = cells.max(initial=0) + 1
-        covered = np.unique(owners[which] * beyond + cells)
-        counts = np.bincount(covered // beyond, minlength=len(tellers)).tolist()
+        covered = np.zeros(floor.shape, dtype=bool)
         robots: Dict[str, Optional[float]] = dict.fromkeys(self._team)
-        robots.update((robot, count / floor.free_cells) for robot, count in zip(tellers, counts))
-        return {"team": np.unique(cells).size / floor.free_cells, "robots": robots}
+        for robot in sorted(self._spots):
+            patch = floor.near([(x * _SPOT, y * _SPOT) for x, y in self._spots[robot]], REACH)
+            covered[patch.rows, patch.columns] |= patch.cells
+            robots[robot] = np.count_nonzero(patch.cells) / free
+        return {"team": np.count_nonzero(covered) / free, "robots": robots}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Sequence, Tuple
+from typing import TYPE_CHECKING, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
@@ -12,17 +12,29 @@ from rqt_mrta_py.model import Arena, Obstacle
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["CELL", "Floor"]
+__all__ = ["CELL", "Floor", "Patch"]
 
 CELL = 0.25
 """Side of a cell [m]; as long as a small robot."""
 
 _MOST_CELLS = 1_000_000
 
-_MOST_PLACES = 10_000
-"""How many are looked at together; each has some eighty cells around it."""
+_ROUNDING = 1e-9
+"""What lies on the edge of reach is near, whatever rounding did [cells]."""
 
-_NONE: NDArray[np.int64] = np.empty(0, dtype=np.int64)
+
+class Patch(NamedTuple):
+    """A rectangular part of a floor, and some of its cells.
+
+    Attributes:
+        rows: of the floor's grid, along x.
+        columns: of the floor's grid, along y.
+        cells: which of them, shape (rows, columns).
+    """
+
+    rows: slice
+    columns: slice
+    cells: NDArray[np.bool_]
 
 
 class Floor:
@@ -50,11 +62,16 @@ class Floor:
         self._free = free
 
     @property
+    def shape(self) -> Tuple[int, int]:
+        """How many cells there are along x and along y."""
+        return self._free.shape[0], self._free.shape[1]
+
+    @property
     def free_cells(self) -> int:
         """How many cells are free floor."""
         return int(np.count_nonzero(self._free))
 
-    def near(self, places: Sequence[Tuple[float, float]], reach: float) -> Tuple[NDArray[np.int64], NDArray[np.int64]]:
+    def near(self, places: Sequence[Tuple[float, float]], reach: float) -> Patch:
         """Find the free cells whose centres are near some places.
 
         Args:
@@ -62,36 +79,31 @@ class Floor:
             reach: how far a centre may be from a place to count as near [m].
 
         Returns:
-            Pairs of a place and a cell near it, as two arrays: the places' indices, rising, and the cells' numbers.
+            The part of the floor around the places, and which of its cells are near one of them.
         """
         # In cells from the corner; the centre of cell i is at i + 0.5.
-        at = (np.array(places, dtype=np.float64).reshape(-1, 2) - self._corner) / self._cell
-        limit = reach / self._cell
-        around = _cells_around(limit)
-        pairs = [
-            self._near(at[first : first + _MOST_PLACES], first, around, limit)
-            for first in range(0, len(at), _MOST_PLACES)
-        ]
-        which, numbers = zip(*pairs) if pairs else ((_NONE,), (_NONE,))
-        return np.concatenate(which), np.concatenate(numbers)
-
-    def _near(
-        self, at: NDArray[np.float64], first: int, around: NDArray[np.int64], limit: float
-    ) -> Tuple[NDArray[np.int64], NDArray[np.int64]]:
-        cells = np.floor(at).astype(np.int64)[:, None] + around
-        apart = cells + 0.5 - at[:, None]
-        is_near = (apart * apart).sum(axis=2) <= limit * limit
-        is_near &= ((cells >= 0) & (cells < self._free.shape)).all(axis=2)
-        which = np.nonzero(is_near)[0]
-        numbers = np.ravel_multi_index(tuple(cells[is_near].T), self._free.shape)
-        is_free = self._free.reshape(-1)[numbers]
-        return first + which[is_free], numbers[is_free]
-
-
-def _cells_around(limit: float) -> NDArray[np.int64]:
-    """List the cells that may be near a place in the middle one, by their distance in cells along x and y."""
-    steps = np.arange(-math.ceil(limit), math.ceil(limit) + 1)
-    return np.stack(np.meshgrid(steps, steps, indexing="ij"), axis=-1).reshape(-1, 2)
+        x, y = ((np.array(places, dtype=np.float64).reshape(-1, 2) - self._corner) / self._cell).T
+        limit = reach / self._cell + _ROUNDING
+        steps = np.arange(-math.ceil(limit), math.ceil(limit) + 1)
+        rows = np.floor(x).astype(np.int64)[:, None] + steps
+        # In each row the near cells are those between two ends.
+        squared = limit * limit - (rows + 0.5 - x[:, None]) ** 2
+        half = np.sqrt(np.maximum(squared, 0.0))
+        first = np.maximum(np.ceil(y[:, None] - half - 0.5), 0).astype(np.int64)
+        last = np.minimum(np.floor(y[:, None] + half - 0.5), self._free.shape[1] - 1).astype(np.int64)
+        hit = (squared >= 0.0) & (first <= last) & (rows >= 0) & (rows < self._free.shape[0])
+        if not hit.any():
+            return Patch(slice(0, 0), slice(0, 0), np.zeros((0, 0), dtype=bool))
+        rows, first, last = rows[hit], first[hit], last[hit]
+        patch_rows = slice(int(rows.min()), int(rows.max()) + 1)
+        patch_columns = slice(int(first.min()), int(last.max()) + 1)
+        free = self._free[patch_rows, patch_columns]
+        # One column more, where what reaches the last one ends.
+        width = free.shape[1] + 1
+        begin = (rows - patch_rows.start) * width - patch_columns.start
+        cells = free.shape[0] * width
+        edges = np.bincount(begin + first, minlength=cells) - np.bincount(begin + last + 1, minlength=cells)
+        return Patch(patch_rows, patch_columns, free & (edges.reshape(-1, width).cumsum(axis=1)[:, :-1] > 0))
 
 
 def _centres(low: float, high: float, cell: float) -> NDArray[np.float64]:
