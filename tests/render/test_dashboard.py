@@ -85,7 +85,7 @@ def test_dashboard_says_so_where_no_place_is_known() -> None:
 def test_dashboard_reads_names_literally() -> None:
     """Dollar signs would begin mathematics, and fail where it does not parse; glyphs may be missing."""
     view = views.single()
-    task = replace(view.record.tasks[0], id="$\\frac{$\n漢字")
+    task = view.record.tasks[0]._replace(id="$\\frac{$\n漢字")
     robot = replace(view.scene.robots[0], id="a$b$c", pose=Pose(0.0, 0.0))
     record = replace(view.record, tasks=(task,))
     view = replace(view, title="$\\oops{$", record=record, scene=replace(view.scene, robots=(robot,)))

@@ -79,8 +79,8 @@ def test_markers_keep_the_line_of_a_task_taken_again() -> None:
     """A pair that ended and began again within a lifetime must not be deleted."""
     view = views.patrol(91.0)
     record = view.record
-    ended = replace(record.allocations[-2], end=90.5)
-    again = replace(record.allocations[-2], start=90.5)
+    ended = record.allocations[-2]._replace(end=90.5)
+    again = record.allocations[-2]._replace(start=90.5)
     view = replace(view, record=replace(record, allocations=(*record.allocations[:-2], ended, again)))
     assert all(marker["action"] == ADD for marker in markers(view))
 

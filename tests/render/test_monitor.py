@@ -241,8 +241,8 @@ def test_timeline_marks_an_incident_when_it_began() -> None:
 def test_lanes_put_allocations_at_the_same_time_below_one_another() -> None:
     robot1 = [a for a in views.patrol(181.0).record.allocations if a.robot == "robot1"]
     assert [lane for _, lane in lanes(robot1)] == [0, 0]
-    overlapping = [replace(robot1[0], start=0.0, end=9.0), replace(robot1[0], start=5.0, end=7.0)]
-    overlapping += [replace(robot1[0], start=8.0, end=12.0), replace(robot1[0], start=9.0, end=10.0)]
+    overlapping = [robot1[0]._replace(start=0.0, end=9.0), robot1[0]._replace(start=5.0, end=7.0)]
+    overlapping += [robot1[0]._replace(start=8.0, end=12.0), robot1[0]._replace(start=9.0, end=10.0)]
     assert [lane for _, lane in lanes(overlapping)] == [0, 1, 1, 0]
 
 

@@ -199,9 +199,9 @@ def strange_views() -> List[Tuple[str, MonitorView]]:
     task = Task(long_name, "go", Pose(1.0, 1.0))
     renamed = replace(
         view.record,
-        robots=(replace(view.record.robots[0], id=long_name), *view.record.robots[1:]),
+        robots=(view.record.robots[0]._replace(id=long_name), *view.record.robots[1:]),
         tasks=(TaskRecord(long_name, ()),),
-        allocations=tuple(replace(each, task=long_name, robot=long_name) for each in view.record.allocations),
+        allocations=tuple(each._replace(task=long_name, robot=long_name) for each in view.record.allocations),
         events=(Event(5.0, "scenario", Severity.ERROR, long_name),),
     )
     late = 2.0**32

@@ -6,7 +6,7 @@ All times are seconds on the stream's clock (receipt). An interval still open en
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Mapping, Optional, Tuple
+from typing import Any, Mapping, NamedTuple, Optional, Tuple
 
 from rqt_mrta_py.model.states import Outcome, RobotState, Severity, TaskState
 from rqt_mrta_py.model.taxonomy import Taxonomy
@@ -24,8 +24,7 @@ __all__ = [
 ]
 
 
-@dataclass(frozen=True)
-class RobotInterval:
+class RobotInterval(NamedTuple):
     """A robot in one state over [start, end) [s]."""
 
     state: RobotState
@@ -33,8 +32,7 @@ class RobotInterval:
     end: float
 
 
-@dataclass(frozen=True)
-class RobotRecord:
+class RobotRecord(NamedTuple):
     """One robot's history, oldest interval first; ``last_heard`` is None while nothing of it was heard [s]."""
 
     id: str
@@ -47,8 +45,7 @@ class RobotRecord:
         return self.states[-1].state if self.states else RobotState.OFFLINE
 
 
-@dataclass(frozen=True)
-class TaskInterval:
+class TaskInterval(NamedTuple):
     """A task in one state over [start, end) [s]."""
 
     state: TaskState
@@ -56,8 +53,7 @@ class TaskInterval:
     end: float
 
 
-@dataclass(frozen=True)
-class TaskRecord:
+class TaskRecord(NamedTuple):
     """One task's history, oldest interval first."""
 
     id: str
@@ -69,8 +65,7 @@ class TaskRecord:
         return self.history[-1].state if self.history else TaskState.WAITING
 
 
-@dataclass(frozen=True)
-class Allocation:
+class Allocation(NamedTuple):
     """One robot on one task over [start, end) [s]; an open one ends at the end of the record."""
 
     task: str

@@ -103,6 +103,8 @@ def _plain_items(values: Mapping[Any, Any]) -> Dict[str, Any]:
 
 def _plain(value: Any) -> Any:
     """Turn into builtins that JSON knows; floats lose the noise below a nanosecond."""
+    if value is None or value.__class__ is str:
+        return value
     if isinstance(value, Enum):
         return value.value
     if isinstance(value, Mapping):

@@ -23,7 +23,7 @@ def test_an_empty_room_of_2_by_2_metres_has_64_cells() -> None:
 def cells_near(floor: Floor, places: List[Tuple[float, float]], reach: float) -> Set[int]:
     """Give the cells' numbers, rows along x after one another."""
     near = np.zeros(floor.shape, dtype=bool)
-    patch = floor.near(places, reach)
+    patch = floor.free_in(floor.near(places, reach))
     near[patch.rows, patch.columns] = patch.cells
     return set(np.flatnonzero(near).tolist())
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Optional, Sequence, Set, Tuple
+from typing import Any, Dict, Iterator, Optional, Sequence, Set, Tuple
 
 import numpy as np
 
 from rqt_mrta_py.hooks import Heard, MeasureSetup, Subscription
 from rqt_mrta_py.model import MissionRecord
-from team_measures.floor import Floor
+from team_measures.floor import Bands, Floor, Patch
 
 __all__ = ["REACH", "ArenaCoverage"]
 
@@ -21,6 +21,9 @@ sensors reach is not asked, so that teams with other sensors can be compared.
 
 _SPOT = 0.05
 """Poses are rounded to this [m]: less than robots drive in a few ticks, so few of their many poses need be kept."""
+
+_TOGETHER = 100
+"""How many robots are looked at together: few calls for many robots, little memory for those that went far."""
 
 _FRAME, _X, _Y = "header/frame_id", "pose/position/x", "pose/position/y"
 _POSES = Subscription("/@robot_id@/pose", "geometry_msgs/PoseStamped", (_FRAME, _X, _Y))
@@ -84,8 +87,18 @@ class ArenaCoverage:
             return None
         covered = np.zeros(floor.shape, dtype=bool)
         robots: Dict[str, Optional[float]] = dict.fromkeys(self._team)
-        for robot in sorted(self._spots):
-            patch = floor.near([(x * _SPOT, y * _SPOT) for x, y in self._spots[robot]], REACH)
-            covered[patch.rows, patch.columns] |= patch.cells
-            robots[robot] = np.count_nonzero(patch.cells) / free
+        tellers = sorted(self._spots)
+        for first in range(0, len(tellers), _TOGETHER):
+            group = tellers[first : first + _TOGETHER]
+            for robot, patch in zip(group, self._patches(floor, group)):
+                covered[patch.rows, patch.columns] |= patch.cells
+                robots[robot] = np.count_nonzero(patch.cells) / free
         return {"team": np.count_nonzero(covered) / free, "robots": robots}
+
+    def _patches(self, floor: Floor, robots: Sequence[str]) -> Iterator[Patch]:
+        """Find what each of some robots covered."""
+        spots = [self._spots[robot] for robot in robots]
+        bands = floor.near([(x * _SPOT, y * _SPOT) for own in spots for x, y in own], REACH)
+        ends = np.searchsorted(bands.places, np.cumsum([len(own) for own in spots])).tolist()
+        for begin, end in zip([0, *ends], ends):
+            yield floor.free_in(Bands(*(column[begin:end] for column in bands)))

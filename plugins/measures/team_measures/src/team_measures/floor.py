@@ -12,7 +12,7 @@ from rqt_mrta_py.model import Arena, Obstacle
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["CELL", "Floor", "Patch"]
+__all__ = ["CELL", "Bands", "Floor", "Patch"]
 
 CELL = 0.25
 """Side of a cell [m]; as long as a small robot."""
@@ -21,6 +21,22 @@ _MOST_CELLS = 1_000_000
 
 _ROUNDING = 1e-9
 """What lies on the edge of reach is near, whatever rounding did [cells]."""
+
+
+class Bands(NamedTuple):
+    """Parts of rows of cells, each near one place.
+
+    Attributes:
+        places: indices, rising.
+        rows: of the floor's grid.
+        first: column.
+        end: column after the last.
+    """
+
+    places: NDArray[np.int64]
+    rows: NDArray[np.int64]
+    first: NDArray[np.int64]
+    end: NDArray[np.int64]
 
 
 class Patch(NamedTuple):
@@ -71,39 +87,42 @@ class Floor:
         """How many cells are free floor."""
         return int(np.count_nonzero(self._free))
 
-    def near(self, places: Sequence[Tuple[float, float]], reach: float) -> Patch:
-        """Find the free cells whose centres are near some places.
+    def near(self, places: Sequence[Tuple[float, float]], reach: float) -> Bands:
+        """Find the cells whose centres are near some places: in each row of cells those between two ends.
 
         Args:
             places: x and y of each, in the arena's frame [m].
             reach: how far a centre may be from a place to count as near [m].
 
         Returns:
-            The part of the floor around the places, and which of its cells are near one of them.
+            The rows' parts near each place, in the order of places.
         """
         # In cells from the corner; the centre of cell i is at i + 0.5.
-        x, y = ((np.array(places, dtype=np.float64).reshape(-1, 2) - self._corner) / self._cell).T
+        x, y = ((np.array(places, dtype=np.float64).reshape(-1, 2) - self._corner) / self._cell).T[:, :, None]
         limit = reach / self._cell + _ROUNDING
-        steps = np.arange(-math.ceil(limit), math.ceil(limit) + 1)
-        rows = np.floor(x).astype(np.int64)[:, None] + steps
-        # In each row the near cells are those between two ends.
-        squared = limit * limit - (rows + 0.5 - x[:, None]) ** 2
+        rows = np.floor(x) + np.arange(-math.ceil(limit), math.ceil(limit) + 1)
+        squared = limit * limit - (rows + 0.5 - x) ** 2
         half = np.sqrt(np.maximum(squared, 0.0))
-        first = np.maximum(np.ceil(y[:, None] - half - 0.5), 0).astype(np.int64)
-        last = np.minimum(np.floor(y[:, None] + half - 0.5), self._free.shape[1] - 1).astype(np.int64)
-        hit = (squared >= 0.0) & (first <= last) & (rows >= 0) & (rows < self._free.shape[0])
-        if not hit.any():
+        first = np.maximum(np.ceil(y - half - 0.5), 0.0)
+        end = np.minimum(np.floor(y + half + 0.5), float(self._free.shape[1]))
+        on_floor = (squared >= 0.0) & (first < end) & (rows >= 0.0) & (rows < self._free.shape[0])
+        parts = np.stack((rows[on_floor], first[on_floor], end[on_floor])).astype(np.int64)
+        return Bands(np.nonzero(on_floor)[0], *parts)
+
+    def free_in(self, bands: Bands) -> Patch:
+        """Find the free cells in some parts of rows, each once."""
+        _, rows, first, end = bands
+        if not rows.size:
             return Patch(slice(0, 0), slice(0, 0), np.zeros((0, 0), dtype=bool))
-        rows, first, last = rows[hit], first[hit], last[hit]
-        patch_rows = slice(int(rows.min()), int(rows.max()) + 1)
-        patch_columns = slice(int(first.min()), int(last.max()) + 1)
+        top, left = int(rows.min()), int(first.min())
+        patch_rows, patch_columns = slice(top, int(rows.max()) + 1), slice(left, int(end.max()))
         free = self._free[patch_rows, patch_columns]
         # One column more, where what reaches the last one ends.
         width = free.shape[1] + 1
-        begin = (rows - patch_rows.start) * width - patch_columns.start
+        begin = (rows - top) * width - left
         cells = free.shape[0] * width
-        edges = np.bincount(begin + first, minlength=cells) - np.bincount(begin + last + 1, minlength=cells)
-        return Patch(patch_rows, patch_columns, free & (edges.reshape(-1, width).cumsum(axis=1)[:, :-1] > 0))
+        steps = np.bincount(begin + first, minlength=cells) - np.bincount(begin + end, minlength=cells)
+        return Patch(patch_rows, patch_columns, free & (steps.reshape(-1, width).cumsum(axis=1)[:, :-1] > 0))
 
 
 def _centres(low: float, high: float, cell: float) -> NDArray[np.float64]:
