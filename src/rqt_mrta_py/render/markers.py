@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Dict, List, Optional, Tuple
+from functools import lru_cache
+from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 from rqt_mrta_py.hooks import MonitorView, Outgoing, RobotSight
 from rqt_mrta_py.model import Outcome, Pose, RobotState, Task
@@ -48,7 +49,7 @@ def team_markers(view: MonitorView, stamp: float, lifetime: float = 3.0) -> Outg
     for task in view.scene.tasks:
         if task.place is not None:
             builder.task(numbers[task.id], task, task.place, colours[task.id])
-    _allocations(builder, view, colours, lifetime)
+    _allocations(builder, view, colours, numbers, lifetime)
     return Outgoing(MARKERS_TOPIC, "visualization_msgs/MarkerArray", {"markers": builder.markers})
 
 
@@ -57,9 +58,10 @@ def _task_numbers(view: MonitorView) -> Dict[str, int]:
     return {task: number for number, task in enumerate(dict.fromkeys(ids))}
 
 
-def _allocations(builder: _Builder, view: MonitorView, colours: TaskColours, lifetime: float) -> None:
+def _allocations(
+    builder: _Builder, view: MonitorView, colours: TaskColours, numbers: Mapping[str, int], lifetime: float
+) -> None:
     poses = {robot.id: robot.pose for robot in view.scene.robots}
-    numbers = _task_numbers(view)
     places = {task.id: (numbers[task.id], task.place) for task in view.scene.tasks}
     lines: Dict[Tuple[str, int], Optional[Tuple[Pose, Pose, Colour]]] = {}
     for allocation in view.record.allocations:
@@ -79,7 +81,7 @@ class _Builder:
     """Collects markers that share stamp and lifetime."""
 
     def __init__(self, stamp: float, lifetime: float) -> None:
-        self._stamp = stamp
+        self._header = {"stamp": stamp, "frame_id": "map"}
         self._lifetime = lifetime
         self.markers: List[Dict[str, Any]] = []
 
@@ -114,7 +116,7 @@ class _Builder:
 
     def _marker(self, namespace: str, number: int, type_: int, pose: Dict[str, Any]) -> Dict[str, Any]:
         marker: Dict[str, Any] = {
-            "header": {"stamp": self._stamp, "frame_id": "map"},
+            "header": self._header,
             "ns": namespace,
             "id": number,
             "type": type_,
@@ -126,7 +128,8 @@ class _Builder:
         return marker
 
 
-def _rgba(colour: Colour) -> Dict[str, float]:
+@lru_cache(maxsize=256)
+def _rgba(colour: Colour) -> Mapping[str, float]:
     red, green, blue = (part / 255.0 for part in colour)
     return {"r": red, "g": green, "b": blue, "a": 1.0}
 

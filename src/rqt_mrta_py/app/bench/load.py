@@ -18,6 +18,7 @@ from rqt_mrta_py.hooks import (
     BehaviourStep,
     Command,
     Decision,
+    Heard,
     Outgoing,
     Perception,
     Situation,
@@ -127,6 +128,8 @@ class _Cruise:
         self._on = BehaviourStep((Command("base", Twist(0.8 * speed, 0.0, 0.0)),))
         self._left = BehaviourStep((Command("base", Twist(0.2 * speed, 0.0, 0.5 * turn_rate)),))
         self._right = BehaviourStep((Command("base", Twist(0.2 * speed, 0.0, -0.5 * turn_rate)),))
+        self._seen: Optional[Heard] = None
+        self._step = self._on
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Hear the range finder."""
@@ -144,11 +147,14 @@ class _Cruise:
         """Begin."""
 
     def step(self, task: Task, perception: Perception) -> BehaviourStep:
-        """Look ahead: rays go from -pi on, 10 degrees apart, so the middle ones look forward."""
+        """Look ahead when the range finder told something new: rays go from -pi on, 10 degrees apart."""
         scan = perception.newest("scan")
-        if scan is None:
-            return self._on
-        ranges = scan.fields["ranges"]
+        if scan is not None and scan is not self._seen:
+            self._seen = scan
+            self._step = self._towards_room(scan.fields["ranges"])
+        return self._step
+
+    def _towards_room(self, ranges: Sequence[float]) -> BehaviourStep:
         right, left = min(ranges[13:18]), min(ranges[18:23])
         if min(right, left) > 0.7:
             return self._on
