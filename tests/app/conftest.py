@@ -30,6 +30,15 @@ def patrol(tmp_path_factory: pytest.TempPathFactory) -> Outputs:
 
 
 @pytest.fixture(scope="session")
+def short_patrol(tmp_path_factory: pytest.TempPathFactory) -> Outputs:
+    """Run border_patrol for 2 s: for what holds of any run."""
+    folder = tmp_path_factory.mktemp("short_patrol") / "run"
+    status = main(["run", "border_patrol", "--duration", "2", "--pictures", "0", "--out", str(folder), "-q"])
+    assert status == 0
+    return Outputs(folder)
+
+
+@pytest.fixture(scope="session")
 def patrol_review(patrol: Outputs, tmp_path_factory: pytest.TempPathFactory) -> Outputs:
     """Review the bag of that run."""
     folder = tmp_path_factory.mktemp("patrol") / "review"

@@ -61,7 +61,7 @@ def test_a_hook_that_takes_for_ever_stops_the_command_with_its_place(
 def test_an_observer_that_takes_for_ever_is_named_and_the_run_goes_on(
     mrta: Mrta, stranger: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture, hook: str
 ) -> None:
-    monkeypatch.setenv("RQT_MRTA_PY_PATIENCE", "3")
+    monkeypatch.setenv("RQT_MRTA_PY_PATIENCE", "1")
     stranger.write_text(implementation(hook, "while True: pass"))
 
     status, _ = mrta("run", "border_patrol", "--duration", "1", "--processes", "1", "--pictures", "0")

@@ -14,8 +14,8 @@ from tests.app.fault_yard import write_fault_yard
 from tests.app.outputs import Outputs
 
 ARCHITECTURES = ("mrta_alliance", "nearest_robot")
-SHORT = range(8)
-LONG = range(8, 208)
+SHORT = range(4)
+LONG = range(4, 208)
 
 
 def run(folder: Path, seed: int) -> Outputs:

@@ -29,10 +29,12 @@ def test_a_run_leaves_a_film_of_all_its_pictures(mrta: Mrta, tmp_path: Path, pro
     assert frames(out / "monitor.webm") == 5
 
 
-def test_a_review_leaves_the_film_that_its_run_would_have_left(mrta: Mrta, patrol: Outputs, tmp_path: Path) -> None:
+def test_a_review_leaves_the_film_that_its_run_would_have_left(
+    mrta: Mrta, short_patrol: Outputs, tmp_path: Path
+) -> None:
     out = tmp_path / "out"
-    assert mrta("review", str(patrol.bag), "--pictures", "50", "--video", "--out", str(out))[0] == 0
-    assert frames(out / "monitor.webm") == 4
+    assert mrta("review", str(short_patrol.bag), "--pictures", "0.5", "--video", "--out", str(out))[0] == 0
+    assert frames(out / "monitor.webm") == 5
 
 
 def test_another_run_without_a_film_leaves_no_old_one(mrta: Mrta, tmp_path: Path) -> None:

@@ -46,7 +46,7 @@ def test_an_interrupted_run_leaves_complete_files(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("verb", ["run", "review"])
 def test_an_interrupt_while_results_are_written_leaves_all_of_them(
-    verb: str, patrol: Outputs, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    verb: str, short_patrol: Outputs, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Ctrl-C once left neither log nor dashboard, and at times no summary, when it came after the last tick."""
     write_picture = results.write_picture
@@ -58,7 +58,7 @@ def test_an_interrupt_while_results_are_written_leaves_all_of_them(
     monkeypatch.setattr(results, "write_picture", interrupted_write_picture)
     folder = tmp_path / "out"
     what: Tuple[str, ...] = (
-        ("border_patrol", "--duration", "1", "--processes", "1") if verb == "run" else (str(patrol.bag),)
+        ("border_patrol", "--duration", "1", "--processes", "1") if verb == "run" else (str(short_patrol.bag),)
     )
     assert main([verb, *what, "--pictures", "100", "--out", str(folder)]) == 130
     assert names(folder) == COMPLETE | ({"mission.bag"} if verb == "run" else set())

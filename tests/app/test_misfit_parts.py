@@ -394,8 +394,10 @@ def test_a_part_that_does_not_fit_stops_the_run_by_name(mrta: Mrta, stranger: Pa
     stranger.write_text(text)
     wishes = ["--export", "any"] if "mrta_register_exporters" in text else []
     wishes += ["--figures", "any"] if "mrta_register_figures" in text else []
+    drawn = "mrta_register_monitor_panels" in text or "mrta_register_renderers" in text
+    wishes += ["--pictures", "1" if drawn else "0"]
 
-    status, lines = mrta("run", "border_patrol", "--duration", "1", "--processes", "1", *wishes)
+    status, lines = mrta("run", "border_patrol", "--duration", "0.5", "--processes", "1", *wishes)
 
     line = text.partition("def sense")[0].count("\n") + 2
     assert (status, lines) == (3, [f"mrta: {message.format(file=stranger, line=line)}"])

@@ -36,13 +36,15 @@ def test_force_replaces_the_outputs_of_an_earlier_run_and_nothing_else(mrta: Mrt
 
 
 @pytest.mark.parametrize("verb", ["run", "review"])
-def test_force_leaves_no_picture_of_an_earlier_mission(mrta: Mrta, patrol: Outputs, tmp_path: Path, verb: str) -> None:
+def test_force_leaves_no_picture_of_an_earlier_mission(
+    mrta: Mrta, short_patrol: Outputs, tmp_path: Path, verb: str
+) -> None:
     """Without pictures of its own a run once lay beside those of another."""
     folder = tmp_path / "full"
     (folder / "monitor").mkdir(parents=True)
     (folder / "monitor" / "000009.000.png").write_text("earlier")
     (folder / "dashboard.png").write_text("earlier")
-    what = ("border_patrol", "--duration", "1") if verb == "run" else (str(patrol.bag),)
+    what = ("border_patrol", "--duration", "1") if verb == "run" else (str(short_patrol.bag),)
     status, _ = mrta(verb, *what, "--pictures", "0", "--out", str(folder), "--force")
     assert status == 0
     assert (folder / "summary.json").exists()

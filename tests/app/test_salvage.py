@@ -354,7 +354,7 @@ def test_a_killed_run_reviews_like_the_beginning_of_the_whole_run(patrol: Output
     folder = tmp_path / "run"
     command = [sys.executable, "-m", "rqt_mrta_py", "run", "border_patrol", "--duration", "150", "--pictures", "10"]
     process = subprocess.Popen([*command, "--out", str(folder)], start_new_session=True)
-    picture = folder / "monitor" / "000090.000.png"
+    picture = folder / "monitor" / "000030.000.png"
     patience = time.monotonic() + 60
     while not picture.exists() and time.monotonic() < patience:
         time.sleep(0.01)
@@ -369,7 +369,7 @@ def test_a_killed_run_reviews_like_the_beginning_of_the_whole_run(patrol: Output
     saved, whole = list(read_bag(salvaged_bag)), read_bag(patrol.bag)
     assert all(stamped == next(whole) for stamped in saved)
     end = saved[-1].receipt_ns / 1e9
-    assert end > 80
+    assert end > 20
     events = [event for event in review.lines("events.jsonl") if event["time"] < end]
     assert len(events) > 10
     assert events == [event for event in patrol.lines("events.jsonl") if event["time"] < end]

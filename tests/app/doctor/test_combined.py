@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from itertools import combinations, islice
 from pathlib import Path
@@ -17,6 +18,7 @@ from rqt_mrta_py.errors import ConfigError
 from tests.app.doctor.combining import Combined, combine
 from tests.app.doctor.conftest import Workspace
 from tests.app.doctor.corpus import PLACES, told
+from tests.sampling import every, one_of_each
 
 DATA = Path(__file__).resolve().parents[2] / "data"
 TOLD: Dict[str, str] = yaml.safe_load((DATA / "bad" / "expected.yaml").read_text(encoding="utf-8"))
@@ -101,7 +103,7 @@ def test_there_are_enough_pairs() -> None:
     assert len(CASES) >= 80
 
 
-@pytest.mark.parametrize("name", sorted(CASES))
+@pytest.mark.parametrize("name", every(3, sorted(CASES)))
 def test_two_mistakes_are_told_as_each_alone_is(name: str, packages: Path) -> None:
     one, text, lines = CASES[name]
 
@@ -121,7 +123,12 @@ def misspelt() -> Iterator[Tuple[str, str, str]]:
 MISSPELT = {f"{package}-{name}": (package, text) for package, name, text in misspelt()}
 
 
-@pytest.mark.parametrize("name", sorted(MISSPELT))
+def without_numbers(name: str) -> str:
+    """Tell elements apart by package and name, but not those of a list."""
+    return re.sub(r"[0-9]+", "", name)
+
+
+@pytest.mark.parametrize("name", one_of_each(without_numbers, MISSPELT))
 def test_nothing_is_told_that_only_follows_from_an_element_of_another_name(name: str, packages: Path) -> None:
     """What is missing because of it is not told where somebody asks for it; the reader says all that there is."""
     package, text = MISSPELT[name]
