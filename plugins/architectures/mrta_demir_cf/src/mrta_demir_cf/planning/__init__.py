@@ -1,0 +1,3 @@
+"""Rough schedules, cost functions and incremental selection: arrays in, choices out."""
+
+from __future__ import annotations
