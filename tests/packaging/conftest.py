@@ -1,8 +1,9 @@
-"""One copy of the checkout, one wheel and one installation of it for all tests here."""
+"""One copy of the checkout, one wheel, one installation of it and one catkin workspace for all tests here."""
 
 from __future__ import annotations
 
 import importlib.util
+import shutil
 import sys
 from importlib import metadata
 from pathlib import Path
@@ -11,6 +12,9 @@ import pytest
 
 from tests.conftest import ROOT
 from tests.packaging.builds import Environment, build, copy_checkout, link_distributions, make_environment, run
+from tests.packaging.spaces import Workspace, catkin_make, need_catkin
+
+ABOUT = ["--description", "Looks after a yard.", "--maintainer", "Ann", "--email", "ann@example.org"]
 
 
 @pytest.fixture(scope="session")
@@ -40,6 +44,23 @@ def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Environm
     if unmet:
         pytest.skip(f"not in this environment: {', '.join(unmet)}")
     return environment
+
+
+@pytest.fixture(scope="session")
+def workspace(tree: Path, tmp_path_factory: pytest.TempPathFactory) -> Workspace:
+    """Let mrta make a workspace with an architecture and two applications; add this repository, and build."""
+    need_catkin()
+    folder = tmp_path_factory.mktemp("workspace").resolve() / "ws"
+    for plan in (
+        ["architecture", "fetch_first", "--type", "ST-SR-IA"],
+        ["application", "yard", "--architecture", "fetch_first", "--robots", "2", "--tasks", "3"],
+        ["application", "gate", "--architecture", "mrta_alliance", "--robots", "3", "--tasks", "4"],
+    ):
+        mrta = [sys.executable, "-m", "rqt_mrta_py", "new", *plan, *ABOUT, "--workspace", str(folder)]
+        run(mrta, folder.parent, ROS_PACKAGE_PATH=str(folder / "src"))
+    assert (folder / "src" / "CMakeLists.txt").is_symlink()
+    shutil.copytree(tree, folder / "src" / "rqt_mrta_py")
+    return catkin_make(folder)
 
 
 def _need(*modules: str) -> None:

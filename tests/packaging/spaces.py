@@ -12,6 +12,9 @@ import pytest
 
 from tests.packaging.builds import clean_environment
 
+MADE = {"fetch_first", "gate", "yard"}
+"""The packages that mrta made in the workspace for all tests, beside those of this repository."""
+
 PATH = f"{Path(sys.executable).parent}:/usr/bin:/bin"
 
 

@@ -2,46 +2,19 @@
 
 from __future__ import annotations
 
-import re
-import shutil
-import sys
 from pathlib import Path
 from typing import List
 
 import pytest
 import yaml
 
-from tests.packaging.builds import run
-from tests.packaging.spaces import Workspace, catkin_make, need_catkin
+from tests.packaging.spaces import Workspace
 
 pytestmark = pytest.mark.ros
-
-ABOUT = ["--description", "Looks after a yard.", "--maintainer", "Ann", "--email", "ann@example.org"]
-
-
-@pytest.fixture(scope="module")
-def workspace(tree: Path, tmp_path_factory: pytest.TempPathFactory) -> Workspace:
-    """Let mrta make a workspace with an architecture and an application on it; add this repository, and build."""
-    need_catkin()
-    folder = tmp_path_factory.mktemp("new").resolve() / "ws"
-    for plan in (
-        ["architecture", "fetch_first", "--type", "ST-SR-IA"],
-        ["application", "yard", "--architecture", "fetch_first", "--robots", "2", "--tasks", "3"],
-        ["application", "gate", "--architecture", "mrta_alliance", "--robots", "3", "--tasks", "4"],
-    ):
-        mrta = [sys.executable, "-m", "rqt_mrta_py", "new", *plan, *ABOUT, "--workspace", str(folder)]
-        run(mrta, folder.parent, ROS_PACKAGE_PATH=str(folder / "src"))
-    assert (folder / "src" / "CMakeLists.txt").is_symlink()
-    shutil.copytree(tree, folder / "src" / "rqt_mrta_py")
-    return catkin_make(folder)
 
 
 def lines(text: str) -> List[str]:
     return [line.split()[0] for line in text.splitlines()]
-
-
-def test_cmake_has_nothing_to_warn_of(workspace: Workspace) -> None:
-    assert re.findall(r"CMake .*Warning.*\n.*", workspace.log) == []
 
 
 def test_rospack_lists_what_was_made(workspace: Workspace) -> None:
@@ -52,10 +25,10 @@ def test_rospack_lists_what_was_made(workspace: Workspace) -> None:
         assert {"yard", "gate"} <= set(applications)
 
 
-def test_application_runs_from_both_spaces(workspace: Workspace) -> None:
+def test_application_runs_from_both_spaces(workspace: Workspace, tmp_path: Path) -> None:
     bags = []
     for space in workspace.spaces:
-        out = workspace.folder / f"{space.folder.name}-run"
+        out = tmp_path / f"{space.folder.name}-run"
         plan = ["run", "yard", "--duration", "5", "--pictures", "0", "-q", "--out", str(out)]
         space.run("rosrun", "rqt_mrta_py", "mrta", *plan)
         bags.append((out / "mission.bag").read_bytes())
