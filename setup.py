@@ -15,6 +15,8 @@ HERE = Path(__file__).resolve().parent
 EXTRAS = {
     "bag": ["rosbags>=0.9.20,<0.12", "lz4>=4.0,<5"],
     "plot": ["opencv-python-headless>=4.6,<6", "matplotlib>=3.6,<4", "pillow>=9.4,<14"],
+    # What allocators of the multiple travelling robot problem are measured against.
+    "references": ["ortools>=9.8,<10", "pyvrp>=0.14,<0.15; python_version >= '3.11'"],
     "sim": ["pybullet>=3.2.5,<4", "scipy>=1.10,<2"],
     "terminal": ["rich>=13,<16"],
 }
@@ -25,6 +27,8 @@ EXTRAS["test"] = [
     # An independent reader of the JSON Schemas that come with the package.
     "jsonschema>=4.17,<5",
     "pytest-cov>=5,<8",
+    # ./test lets a process for each processor share the tests.
+    "pytest-xdist>=3.5,<4",
     # ruff's formatter may change its mind with every minor version, and its verdict is law here.
     "ruff>=0.17,<0.18",
     "mypy>=1.14,<2",
