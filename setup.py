@@ -15,13 +15,14 @@ HERE = Path(__file__).resolve().parent
 EXTRAS = {
     "bag": ["rosbags>=0.9.20,<0.12", "lz4>=4.0,<5"],
     "plot": ["opencv-python-headless>=4.6,<6", "matplotlib>=3.6,<4", "pillow>=9.4,<14"],
-    # What allocators of the multiple travelling robot problem are measured against.
-    "references": ["ortools>=9.8,<10", "pyvrp>=0.14,<0.15; python_version >= '3.11'"],
     "sim": ["pybullet>=3.2.5,<4", "scipy>=1.10,<2"],
     "terminal": ["rich>=13,<16"],
 }
 EXTRAS["all"] = [requirement for name in sorted(EXTRAS) for requirement in EXTRAS[name]]
+# What routes of the multiple travelling robot problem are measured against; large, and for benchmarks alone.
+EXTRAS["references"] = ["ortools>=9.8,<10", "pyvrp>=0.14,<0.15; python_version >= '3.11'"]
 EXTRAS["test"] = [
+    *EXTRAS["references"],
     "pytest>=8,<10",
     "hypothesis>=6.100,<7",
     # An independent reader of the JSON Schemas that come with the package.
