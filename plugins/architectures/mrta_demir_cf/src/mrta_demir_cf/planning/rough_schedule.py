@@ -1,0 +1,58 @@
+"""Rough schedules: the targets that a robot counts upon visiting, without committing to any (Eq. 1).
+
+S. Sariel, N. Erdogan, T. Balch, Incremental task selection and allocation for the real-world multiple travelling robot
+problem, 2007. Letters of the paper: r_j robot, t_i target, T_U unvisited targets, T_Rj rough schedule of r_j.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mrta_demir_cf.planning.arrays import Floats, Indices, Mask, checked_mask, checked_points, squared_distances
+
+__all__ = ["rough_schedule"]
+
+_ROWS = 32
+"""Robots whose distances to all targets are looked at together: bounds the memory by O(M + N)."""
+
+
+def rough_schedule(robot: int, robots: Floats, targets: Floats, open: Mask) -> Indices:
+    """List the open targets that no other robot is nearer to (Eq. 1).
+
+        reldist(r_j, t_i) = dist(r_j, t_i) - min_{k != j} dist(r_k, t_i),   T_Rj = {t_i in T_U : reldist(r_j, t_i) < 0}
+
+    T_Rj are the open targets in the Voronoi cell of r_j. A single robot has them all.
+
+    Differs from the paper: of robots at the same distance the one with the smallest index owns the target. With "<"
+    alone nobody would, and robots that share a depot would never start.
+
+    Args:
+        robot: j, a row of ``robots``.
+        robots: (M, 2) [m], frame map, in the order of ids; of those that are believed to take part.
+        targets: (N, 2) [m], frame map.
+        open: (N,), which targets are T_U.
+
+    Returns:
+        Indices of targets, rising.
+
+    Raises:
+        ValueError: a shape is wrong, a coordinate is not finite, or there is no such robot.
+    """
+    robots = checked_points("robots", robots)
+    targets = checked_points("targets", targets)
+    candidates = np.flatnonzero(checked_mask("open", open, len(targets)))
+    if not 0 <= robot < len(robots):
+        raise ValueError(f"robot: is {robot}; give a row of robots, 0 <= robot < {len(robots)}")
+    places = targets[candidates]
+    own = squared_distances(robots[robot], places)
+    mine = (own < _least(robots[:robot], places)) & (own <= _least(robots[robot + 1 :], places))
+    return candidates[mine]
+
+
+def _least(robots: Floats, places: Floats) -> Floats:
+    """Give the square of the distance from each place to its nearest robot [m^2]; infinite without robots."""
+    least = np.full(len(places), np.inf)
+    for first in range(0, len(robots), _ROWS):
+        squares = squared_distances(robots[first : first + _ROWS, None, :], places)
+        np.minimum(least, squares.min(axis=0), out=least)
+    return least
