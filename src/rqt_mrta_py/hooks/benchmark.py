@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from dataclasses import dataclass
-from typing import Callable, Tuple, Union
+from typing import Any, Callable, Mapping, Optional, Tuple, Union
 
 from rqt_mrta_py.hooks.figure import Figure
 from rqt_mrta_py.hooks.laboratory import Laboratory
@@ -38,10 +38,12 @@ class BenchmarkReport:
     Attributes:
         tables: in the order of printing.
         figures: written with ``--out DIR``.
+        document: plain JSON that ``--json`` prints below the schema, for other programs; None: the tables.
     """
 
     tables: Tuple[BenchmarkTable, ...]
     figures: Tuple[Figure, ...] = ()
+    document: Optional[Mapping[str, Any]] = None
 
 
 @dataclass(frozen=True)

@@ -95,6 +95,19 @@ def test_bench_prints_all_tables_of_a_report(command: Command, stranger: Path) -
     assert (document["title"], document["figures"]) == ("Laps", ["laps_over_time"])
 
 
+def test_bench_prints_a_document_of_its_own_where_programs_read_it(
+    command: Command, stranger: Path, tmp_path: Path
+) -> None:
+    stranger.write_text(benchmark(f"BenchmarkReport(({TABLE},), document={{'laps': [3]}})"))
+
+    out = tmp_path / "measured"
+    told = command("bench", "laps", "--json", "--out", str(out))
+
+    assert json.loads(told.out) == {"schema": "rqt_mrta_py/bench/1", "laps": [3]}
+    assert json.loads((out / "bench.json").read_text())["title"] == "Laps"
+    assert command("bench", "laps").out.startswith("Laps\n")
+
+
 def test_bench_leaves_tables_and_figures_in_the_folder_asked_for(
     command: Command, stranger: Path, tmp_path: Path
 ) -> None:
@@ -157,6 +170,11 @@ def test_wrong_usage_exits_with_2_and_one_line(
         (
             REPORT.replace("1.0), (2.0", "1.0), ('x'"),
             ": figure laps_over_time: line 'mole' has values that are no numbers",
+        ),
+        (
+            f"BenchmarkReport(({TABLE},), document={{'laps': {{2}}}})",
+            ": its document: its value is no plain JSON (Object of type set is not JSON serializable); accepted: "
+            "finite numbers, texts, truth values, None, and lists and dicts of them",
         ),
         ("BenchmarkTable('t', ('a', 'b'), ((1,),))", ": the row (1,) has 1 cells for 2 columns"),
         (

@@ -9,6 +9,7 @@ from typing import Any, Dict
 from rqt_mrta_py.app.guard import checked_figures, guarded
 from rqt_mrta_py.errors import HookError, UsageError
 from rqt_mrta_py.hooks import Benchmark, BenchmarkReport, BenchmarkTable, Laboratory
+from rqt_mrta_py.hooks.answers import json_breach
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.wording import accepted, shown
 
@@ -82,7 +83,10 @@ def measured(manager: PluginManager, name: str, options: argparse.Namespace, lab
         raise HookError(f"{who}: returned a report without tables; one at the least is needed")
     for table in report.tables:
         _check_table(who, table)
-    return BenchmarkReport(tuple(report.tables), checked_figures(who, report.figures))
+    breach = None if report.document is None else json_breach(report.document)
+    if breach is not None:
+        raise HookError(f"{who}: its document: {breach}")
+    return BenchmarkReport(tuple(report.tables), checked_figures(who, report.figures), report.document)
 
 
 def _check_table(who: str, table: object) -> None:

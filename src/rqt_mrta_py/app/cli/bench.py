@@ -55,7 +55,7 @@ def main(options: argparse.Namespace) -> int:
         write_report(folder, options.name, report)
     with standard_output():
         if own.json:
-            print_json("bench", report_document(options.name, report))
+            print_json("bench", report_document(options.name, report) if report.document is None else report.document)
         else:
             for number, table in enumerate(report.tables):
                 print(f"{table.title}\n" if number == 0 else f"\n\n{table.title}\n")
