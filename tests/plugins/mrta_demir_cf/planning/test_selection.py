@@ -89,7 +89,7 @@ def test_costs_that_are_no_numbers_are_refused() -> None:
     def broken(distances: Floats, targets: Floats) -> Floats:
         return np.where(distances == 1.0, np.nan, distances)
 
-    with pytest.raises(ValueError, match="^cost: gives NaN for target 1 and robot 0; costs must be numbers$"):
+    with pytest.raises(ValueError, match=r"^cost: gives NaN for target 1 and robot 0; costs must be numbers$"):
         select(0, ROBOT, TARGETS, ALL, broken)
 
 

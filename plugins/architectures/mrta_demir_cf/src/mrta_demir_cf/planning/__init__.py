@@ -2,6 +2,8 @@
 
 * ``rough_schedule``: Eq. 1, which targets a robot counts upon; ``costs``: Eq. 2 and 3; ``selection``: Algorithm 1
 * ``farthest_pair``: the pair of Eq. 3 under the rule for ties; ``arrays``: shapes and checks
+* ``missions``: whole missions decided offline under three semantics; ``mission``: what becomes of one
+* ``tsplib``: instances of the travelling salesman problem from files
 """
 
 from __future__ import annotations
