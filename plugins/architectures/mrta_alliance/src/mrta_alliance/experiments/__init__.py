@@ -6,7 +6,6 @@
 * ``shares``: of perpetual tasks
 * ``measures``: numbers from a mission's record; ``ability``: who can carry out what
 * ``stops``: who is lost when; ``settings``: parameters of all robots alike
-* ``estimates``, ``student``, ``quantiles``: statistics; ``tables``: how they are shown
 """
 
 from __future__ import annotations

@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any, FrozenSet, List, NamedTuple, Tuple
 
+from team_measures.statistics.estimates import Estimate, estimated_mean, estimated_share
+from team_measures.statistics.tables import MEANS, SHARES, estimate_line, estimate_text, rounded, share_text
+
 from mrta_alliance.experiments.ability import abilities, within_reach
-from mrta_alliance.experiments.estimates import Estimate, estimated_mean, estimated_share
 from mrta_alliance.experiments.measures import done_at, done_tasks
 from mrta_alliance.experiments.part import Options
 from mrta_alliance.experiments.stops import random_stops
-from mrta_alliance.experiments.tables import MEANS, SHARES, estimate_line, estimate_text, rounded, share_text
 from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Chart, Experiment, Figure, Laboratory, LineStyle
 from rqt_mrta_py.model import MissionRecord
 

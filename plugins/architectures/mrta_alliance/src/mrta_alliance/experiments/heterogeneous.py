@@ -6,10 +6,11 @@ import random
 from dataclasses import replace
 from typing import Any, Dict, List, Sequence, Tuple
 
-from mrta_alliance.experiments.estimates import Estimate, estimated_mean, estimated_share
+from team_measures.statistics.estimates import Estimate, estimated_mean, estimated_share
+from team_measures.statistics.tables import MEANS, SHARES, estimate_line, estimate_text, share_text
+
 from mrta_alliance.experiments.measures import done_at
 from mrta_alliance.experiments.part import Options
-from mrta_alliance.experiments.tables import MEANS, SHARES, estimate_line, estimate_text, share_text
 from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Chart, Experiment, Figure, Laboratory
 from rqt_mrta_py.model import ScenarioEvent, ScenarioEventKind
 

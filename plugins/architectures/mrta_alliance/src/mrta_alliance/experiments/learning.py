@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
-from mrta_alliance.experiments.estimates import Estimate, estimated_mean, estimated_share
+from team_measures.statistics.estimates import Estimate, estimated_mean, estimated_share
+from team_measures.statistics.tables import MEANS, SHARES, estimate_line, estimate_text, share_text
+
 from mrta_alliance.experiments.measures import done_at, length
 from mrta_alliance.experiments.part import Options
 from mrta_alliance.experiments.settings import UNTUNED
-from mrta_alliance.experiments.tables import MEANS, SHARES, estimate_line, estimate_text, share_text
 from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Chart, Experiment, Figure, Laboratory, LineStyle
 from rqt_mrta_py.model import MissionRecord
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any, Dict, List, Sequence, Tuple
 
-from mrta_alliance.experiments.estimates import estimated_mean, estimated_share
+from team_measures.statistics.estimates import estimated_mean, estimated_share
+from team_measures.statistics.quantiles import quantile
+from team_measures.statistics.tables import MEANS, SHARES, estimate_line, estimate_text, rounded, share_text
+
 from mrta_alliance.experiments.measures import done_at, double_holdings
 from mrta_alliance.experiments.part import Options
-from mrta_alliance.experiments.quantiles import quantile
-from mrta_alliance.experiments.tables import MEANS, SHARES, estimate_line, estimate_text, rounded, share_text
 from mrta_alliance.experiments.takeover import Takeover, takeovers
 from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Chart, Figure, Laboratory, Line, LineStyle
 from rqt_mrta_py.model import MissionRecord, RadioSetup

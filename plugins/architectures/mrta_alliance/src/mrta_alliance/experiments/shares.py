@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any, Dict, List, Tuple
 
-from mrta_alliance.experiments.estimates import Estimate, estimated_mean
+from team_measures.statistics.estimates import Estimate, estimated_mean
+from team_measures.statistics.tables import MEANS, estimate_line, estimate_text
+
 from mrta_alliance.experiments.part import Options
 from mrta_alliance.experiments.settings import every_set
-from mrta_alliance.experiments.tables import MEANS, estimate_line, estimate_text
 from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Chart, Figure, Laboratory, LineStyle
 
 __all__ = ["measure_shares"]

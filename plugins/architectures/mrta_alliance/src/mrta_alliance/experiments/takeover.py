@@ -7,12 +7,13 @@ import random
 from dataclasses import replace
 from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
 
-from mrta_alliance.experiments.estimates import estimated_mean
+from team_measures.statistics.estimates import estimated_mean
+from team_measures.statistics.quantiles import quantile
+from team_measures.statistics.tables import MEANS, estimate_line, estimate_text, rounded
+
 from mrta_alliance.experiments.measures import holder_at, length, takeover_time
 from mrta_alliance.experiments.part import Options
-from mrta_alliance.experiments.quantiles import quantile
 from mrta_alliance.experiments.settings import every_set
-from mrta_alliance.experiments.tables import MEANS, estimate_line, estimate_text, rounded
 from mrta_alliance.parameters import AllianceParameters, BehaviourSetParameters
 from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Chart, Experiment, Figure, Laboratory, Line, LineStyle
 from rqt_mrta_py.model import RadioSetup, ScenarioEvent, ScenarioEventKind

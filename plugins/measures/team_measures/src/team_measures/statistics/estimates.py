@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple, Optional, Sequence
 
-from mrta_alliance.experiments.student import two_sided_quantile
+from team_measures.statistics.student import two_sided_quantile
 
 __all__ = ["CONFIDENCE", "Estimate", "estimated_mean", "estimated_share"]
 

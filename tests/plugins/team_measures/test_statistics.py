@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 
 import pytest
-from mrta_alliance.experiments.estimates import Estimate, estimated_mean, estimated_share
-from mrta_alliance.experiments.quantiles import quantile
-from mrta_alliance.experiments.student import inner_probability, two_sided_quantile
+from team_measures.statistics.estimates import Estimate, estimated_mean, estimated_share
+from team_measures.statistics.quantiles import quantile
+from team_measures.statistics.student import inner_probability, two_sided_quantile
 
 
 @pytest.mark.parametrize(

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import List, Optional, Sequence, Tuple
 
-from mrta_alliance.experiments.estimates import Estimate
 from rqt_mrta_py.hooks import Line, LineStyle
+from team_measures.statistics.estimates import Estimate
 
 __all__ = ["MEANS", "SHARES", "estimate_line", "estimate_text", "rounded", "share_text"]
 
