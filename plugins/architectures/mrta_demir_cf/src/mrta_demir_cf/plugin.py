@@ -1,0 +1,50 @@
+"""DEMiR-CF's implementations of hooks."""
+
+from __future__ import annotations
+
+from typing import Any, Mapping, Sequence
+
+from mrta_demir_cf.agent import DemirCfAgent
+from mrta_demir_cf.interpreter import DemirCfInterpreter
+from mrta_demir_cf.panel import CostPanel
+from mrta_demir_cf.parameters import find_problems
+from rqt_mrta_py.hooks import (
+    AgentFactory,
+    AllocationInterpreterFactory,
+    MonitorPanelFactory,
+    ParameterProblem,
+    hookimpl,
+)
+
+__all__ = [
+    "mrta_check_parameters",
+    "mrta_register_agents",
+    "mrta_register_allocation_interpreters",
+    "mrta_register_monitor_panels",
+]
+
+_ARCHITECTURE = "mrta_demir_cf"
+
+
+@hookimpl
+def mrta_register_agents() -> Mapping[str, AgentFactory]:
+    """Name the agent."""
+    return {_ARCHITECTURE: DemirCfAgent}
+
+
+@hookimpl
+def mrta_register_allocation_interpreters() -> Mapping[str, AllocationInterpreterFactory]:
+    """Name who reads what robots say to one another."""
+    return {_ARCHITECTURE: DemirCfInterpreter}
+
+
+@hookimpl
+def mrta_register_monitor_panels() -> Mapping[str, MonitorPanelFactory]:
+    """Name the panel of costs."""
+    return {"mrta_demir_cf/costs": CostPanel}
+
+
+@hookimpl
+def mrta_check_parameters(architecture: str, parameters: Mapping[str, Any]) -> Sequence[ParameterProblem]:
+    """Find values that robots cannot work with."""
+    return find_problems(parameters) if architecture == _ARCHITECTURE else ()

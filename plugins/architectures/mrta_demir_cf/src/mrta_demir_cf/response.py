@@ -1,0 +1,89 @@
+"""What a robot makes of another's request: whether it gives way, whether it bids (Algorithms 3' and 3'').
+
+S. Sariel, N. Erdogan, T. Balch, Incremental task selection and allocation for the real-world multiple travelling robot
+problem, 2007. The indices of the print are mixed up; with r_l the sender, t_k the announced task and t_i the own
+current task or open request:
+
+    3'  (path): if c_ji > c_lk:                                      CANCEL(t_i)
+                if c_jk < c_lk:                                      BID(t_k, c_jk) to r_l
+    3'' (time): if (c_ji > c_jk or c_ji > c_lk) and t_k or r_l near T_Rj:  CANCEL(t_i)
+                if c_jk < c_lk:                                      BID(t_k, c_jk) to r_l
+"""
+
+from __future__ import annotations
+
+from typing import Optional
+
+from mrta_demir_cf.message_kinds import CancelReason, Kind
+from mrta_demir_cf.messages import Message
+from mrta_demir_cf.mind import Mind
+from mrta_demir_cf.nearness import is_near
+from mrta_demir_cf.task_model import TaskModel
+from mrta_demir_cf.task_states import TaskBelief, TaskEvent
+
+__all__ = ["gives_way_for_path", "gives_way_for_time", "respond"]
+
+
+def gives_way_for_path(own: float, rival: float) -> bool:
+    """Tell whether a robot waits under the path objective (Algorithm 3').
+
+        c_ji > c_lk
+
+    Args:
+        own: c_ji, of what it executes or requests [m].
+        rival: c_lk, as announced [m].
+    """
+    return own > rival
+
+
+def gives_way_for_time(own: float, own_for_requested: Optional[float], rival: float, near: bool) -> bool:
+    """Tell whether a robot waits under the time objective (Algorithm 3'').
+
+        (c_ji > c_jk or c_ji > c_lk) and near
+
+    Args:
+        own: c_ji, of what it executes or requests [m].
+        own_for_requested: c_jk, of the requested task to it [m]; None if it could not carry that out.
+        rival: c_lk, as announced [m].
+        near: whether task or requester lies near its rough schedule.
+    """
+    dearer_than_requested = own_for_requested is not None and own > own_for_requested
+    return near and (dearer_than_requested or own > rival)
+
+
+def respond(mind: Mind, message: Message, model: TaskModel) -> None:
+    """Answer a request for a task that this robot neither holds nor knows to be over.
+
+    Differs from the paper: a robot that keeps what it holds does not bid, since it would have to refuse the award; one
+    that has bid selects nothing until the award could have come; and what an operator ordered gives way to nothing.
+
+    Args:
+        mind: the robot's.
+        message: the request.
+        model: of the requested task, with the requester as its holder if it was believed.
+    """
+    own = mind.cost(message.task)
+    held = mind.tasks[mind.mine] if mind.mine is not None else None
+    if held is not None and mind.told.gives_way and not held.ordered:
+        cost = mind.held_cost(held)
+        if mind.told.keeps_paths_short:
+            if gives_way_for_path(cost, message.cost):
+                mind.cancel(held, TaskEvent.GIVEN_WAY, CancelReason.DEARER_REQUEST)
+        elif gives_way_for_time(cost, own, message.cost, _concerns(mind, message, model)):
+            mind.cancel(held, TaskEvent.GIVEN_WAY, CancelReason.DEARER_NEIGHBOUR)
+    asked = model.belief is TaskBelief.REQUESTED_OTHER and model.holder == message.robot and not model.awarded
+    if mind.mine is None and asked and own is not None and own < message.cost:
+        mind.speaker.say(Kind.BID, message.task, recipient=message.robot, cost=own)
+        mind.busy_until = max(mind.busy_until, mind.now + 2.0 * mind.told.reply_timeout)
+
+
+def _concerns(mind: Mind, message: Message, model: TaskModel) -> bool:
+    """Tell whether a request is near the rough schedule; one for a task at no known place is where its sender is."""
+    if message.position is None:
+        return False
+    others = [
+        robot.position
+        for robot in mind.robots.values()
+        if robot.is_present and robot.position is not None and robot.id != message.robot
+    ]
+    return is_near(model.place or message.position, message.position, mind.schedule, others)
