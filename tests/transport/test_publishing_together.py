@@ -348,3 +348,55 @@ def test_what_is_wrong_with_rows_is_named_and_none_of_them_is_carried(
         team.bus.publish_each([(team.drivers[0], [pose(1.0, 1.0), OutgoingRows(topics, POSE, columns)])], 1.0)
     assert str(caught.value).startswith(message)
     assert [len(batch) for batch in team.told] == [1]
+
+
+def unnoticed_rounds(begin: Any) -> List[Tuple[int, int]]:
+    """Publish three rounds that nobody can notice, let somebody begin to, and give ordinal and seq of the fourth."""
+    heard: List[Tuple[int, int]] = []
+    bus = Bus(RosCodec(lookup), ListLink())
+    node, listener = bus.node("/robot1/agent", "robot1"), bus.node("/onlooker")
+    rows = OutgoingRows(("x", "y", "x"), POSE, poses(1.0, (1.0, 2.0, 3.0)))
+    for _ in range(3):
+        bus.publish_each([(node, [rows, Outgoing("x", POSE, {})])], 1.0)
+    begin(bus, node)
+    bus.publish_each([(node, [rows])], 1.0)
+    subscription = Subscription("/robot1/x", POSE, ("header/seq",))
+    listener.subscribe(subscription, lambda told: heard.append((told.ordinal, told.fields["header/seq"])))
+    bus.publish_each([(node, [rows])], 1.0)
+    bus.deliver(1.0)
+    return heard
+
+
+@pytest.mark.parametrize(
+    "begin",
+    [
+        lambda bus, node: None,
+        lambda bus, node: bus.tap(lambda batch: None),
+        lambda bus, node: bus.node("/other").subscribe(Subscription("/@robot_id@/y"), lambda heard: None),
+    ],
+    ids=["heard", "tapped", "half heard"],
+)
+def test_what_nobody_noticed_is_counted_all_the_same(begin: Any) -> None:
+    """Three rounds of two rows and one message on x come first, and one of two rows: 11 messages."""
+    assert unnoticed_rounds(begin) == [(11, 12), (12, 13)]
+
+
+def test_a_latched_message_has_its_place_among_those_that_nobody_noticed() -> None:
+    heard: List[int] = []
+    bus = Bus(RosCodec(lookup), ListLink())
+    node = bus.node("/robot1/agent", "robot1")
+    rows = OutgoingRows(("x", "x"), POSE, poses(1.0, (1.0, 2.0)))
+    bus.publish_each([(node, [rows, Outgoing("x", POSE, {}, latched=True), rows])], 1.0)
+    bus.node("/onlooker").subscribe(Subscription("/robot1/x", POSE), lambda told: heard.append(told.ordinal))
+    bus.publish_each([(node, [rows])], 1.0)
+    bus.deliver(1.0)
+    assert heard == [2, 5, 6]
+
+
+def test_what_nobody_notices_is_neither_serialised_nor_counted_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    bus = Bus(RosCodec(lookup), ListLink())
+    node = bus.node("/robot1/agent", "robot1")
+    rows = OutgoingRows(("x", "y"), POSE, poses(1.0, (1.0, 2.0)))
+    for method in ("count", "encode"):
+        monkeypatch.setattr(f"rqt_mrta_py.transport.embedded.choir.Choir.{method}", None)
+    bus.publish_each([(node, [rows, rows])], 1.0)

@@ -30,6 +30,12 @@ __all__ = ["Bus", "Hearer"]
 _MOST_CHOIRS = 64
 """How many groups of nodes that publish together are remembered."""
 
+_MOST_LINE_UPS = 1024
+"""How many combinations of connections are remembered: a few for each robot of a large team."""
+
+_AT_ONCE: Sequence[float] = (0.0,)
+"""The delays of a message of which one copy arrives, at once."""
+
 
 class Hearer(Protocol):
     """A node, or a team that hears together."""
@@ -64,6 +70,7 @@ class Bus:
         self._latched: Dict[str, List[Publisher]] = {}
         self._choirs: Dict[Tuple[Tuple[Node, ...], str, str], Choir] = {}
         self._line_ups: Dict[Tuple[int, ...], Tuple[Connection, ...]] = {}
+        self._uncounted: List[Choir] = []
         self._headers: Dict[str, str] = {}
         self._now = float("-inf")
         self._now_ns = 0
@@ -113,6 +120,7 @@ class Bus:
         Args:
             callback: is told in the order of publishing, of messages that are published together in one call.
         """
+        self._count_up()
         self._taps.append(callback)
 
     def deliver(self, now: float, hearers: Optional[Sequence[Hearer]] = None) -> None:
@@ -156,6 +164,8 @@ class Bus:
             publisher = Publisher(node.robot, self._wiring.topic(topic), connection, self._header(connection))
             self._publishers[key] = publisher
             if latched:
+                self._count_up()
+                self._wiring.keep(publisher.topic)
                 self._latched.setdefault(topic, []).append(publisher)
         return publisher
 
@@ -224,6 +234,7 @@ class Bus:
 
     def subscribe(self, ear: Ear) -> None:
         """Let a new subscription hear; latched messages set out for it. Nodes call this."""
+        self._count_up()
         for topic, tokens in self._wiring.add(ear):
             for publisher in self._latched.get(topic.name, ()):
                 if publisher.last is not None:
@@ -249,6 +260,11 @@ class Bus:
         """Carry one message of each of a choir's publishers."""
         if choir.version != self._wiring.version:
             choir.look_around(self._wiring)
+        if choir.unnoticed and not self._taps:
+            if not choir.uncounted:
+                self._uncounted.append(choir)
+            choir.uncounted += 1
+            return
         ordinals = choir.count()
         if not (ordinals and (choir.lines or self._taps)):
             return
@@ -259,10 +275,13 @@ class Bus:
         if choir.lines:
             messages: List[Message] = [(*message, {}) for message in zip(choir.connections, ordinals, batch.raws)]
             for row, sender, robot, inbox, hearings in choir.lines:
-                if robot == sender:
-                    inbox.arrived.append((self._now, messages[row], hearings))
-                else:
-                    self._send(sender, robot, inbox, messages[row], hearings)
+                self._send(sender, robot, inbox, messages[row], hearings)
+
+    def _count_up(self) -> None:
+        """Count what nobody has noticed, before somebody may."""
+        for choir in self._uncounted:
+            choir.count_up()
+        self._uncounted.clear()
 
     def _choir(self, nodes: Sequence[Node], topic: str, type_name: str) -> Choir:
         key = (tuple(nodes), topic, type_name)
@@ -278,7 +297,7 @@ class Bus:
         key = tuple(map(id, connections))
         known = self._line_ups.get(key)
         if known is None:
-            if len(self._line_ups) >= _MOST_CHOIRS:
+            if len(self._line_ups) >= _MOST_LINE_UPS:
                 self._line_ups.clear()
             known = self._line_ups[key] = tuple(connections)
         return known
@@ -292,16 +311,17 @@ class Bus:
         message: Message = (publisher.connection, ordinal, raw, read)
         if publisher.connection.latched:
             publisher.last = message
-        now, sender = self._now, publisher.robot
+        send, sender = self._send, publisher.robot
         for robot, inbox, hearings in publisher.receivers:
-            if robot == sender:
-                inbox.arrived.append((now, message, hearings))
-            else:
-                self._send(sender, robot, inbox, message, hearings)
+            send(sender, robot, inbox, message, hearings)
 
     def _send(self, sender: str, robot: str, inbox: Inbox, message: Message, hearings: Tuple[Hearing, ...]) -> None:
         now = self._now
-        for delay in (0.0,) if sender == robot else self.link.deliveries(sender, robot, now):
+        delays = _AT_ONCE if sender == robot else self.link.deliveries(sender, robot, now)
+        if delays is _AT_ONCE or (delays.__class__ is tuple and delays == _AT_ONCE):
+            inbox.arrived.append((now, message, hearings))
+            return
+        for delay in delays:
             if not delay >= 0.0:
                 raise ValueError(f"the link's delay from {sender!r} to {robot!r} is {delay} s; it must be 0 or more")
             arrival = now + delay

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import deque
+from itertools import islice
 from typing import List, Mapping, NamedTuple, Sequence, Tuple
 
 import numpy as np
@@ -40,18 +42,22 @@ class Choir:
         publishers: in the order of rows; one may have several.
         connections: of the publishers.
         lines: to all who hear, in the order of rows, then of nodes, as of ``version``.
+        unnoticed: whether its messages leave no trace but their number unless somebody taps, as of ``version``.
+        uncounted: how many rounds of messages have not been counted yet, for nobody noticed them.
         version: see Wiring.
 
     Args:
         publishers: see above.
     """
 
-    __slots__ = ("_ordinals", "_seqs", "connections", "lines", "publishers", "version")
+    __slots__ = ("_ordinals", "_seqs", "connections", "lines", "publishers", "uncounted", "unnoticed", "version")
 
     def __init__(self, publishers: Sequence[Publisher]) -> None:
         self.publishers = tuple(publishers)
         self.connections = tuple(publisher.connection for publisher in publishers)
         self.lines: Sequence[Line] = ()
+        self.unnoticed = False
+        self.uncounted = 0
         self.version = -1
         self._seqs: List[int] = []
         self._ordinals = [publisher.ordinals for publisher in publishers]
@@ -63,6 +69,7 @@ class Choir:
             publisher.look_around(wiring)
             lines.extend(Line(row, publisher.robot, *receiver) for receiver in publisher.receivers)
         self.lines = lines
+        self.unnoticed = all(publisher.topic.unnoticed for publisher in self.publishers)
         self.version = wiring.version
 
     def count(self) -> List[int]:
@@ -72,6 +79,13 @@ class Choir:
             publisher.seq = seq = publisher.seq + 1
             seqs.append(seq)
         return list(map(next, self._ordinals))
+
+    def count_up(self) -> None:
+        """Count the messages that have not been counted yet, all at once."""
+        rounds, self.uncounted = self.uncounted, 0
+        for publisher in self.publishers:
+            publisher.seq += rounds
+            deque(islice(publisher.ordinals, rounds), maxlen=0)
 
     def encode(self, codec: Codec, columns: Mapping[str, Column]) -> Page:
         """Serialise the messages that were counted last.

@@ -58,15 +58,22 @@ class Topic:
         ordinals: numbers its messages from 0.
         receivers: of its messages, by type and definition, for the wiring's version.
         groups: the subscriptions that mean it, with what the tokens stand for.
+        kept: whether messages of it are kept for late subscribers.
     """
 
-    __slots__ = ("groups", "name", "ordinals", "receivers")
+    __slots__ = ("groups", "kept", "name", "ordinals", "receivers")
 
     def __init__(self, name: str) -> None:
         self.name = name
         self.ordinals: Iterator[int] = count()
         self.receivers: Dict[Tuple[str, str], Tuple[Receiver, ...]] = {}
         self.groups: List[Tuple[_Group, _Tokens]] = []
+        self.kept = False
+
+    @property
+    def unnoticed(self) -> bool:
+        """Tell whether nobody can ever tell more of its messages so far than their number."""
+        return not (self.groups or self.kept)
 
 
 class _Group:
@@ -84,7 +91,7 @@ class Wiring:
     """Joins ears and topics, whichever come first.
 
     Attributes:
-        version: changes with everybody who begins to hear.
+        version: changes with everybody who begins to hear, and with every topic that begins to be kept.
 
     Args:
         codec: reads the messages.
@@ -130,6 +137,12 @@ class Wiring:
         for topic, _ in group.meant:
             topic.receivers.clear()
         return group.meant
+
+    def keep(self, topic: Topic) -> None:
+        """Take in that messages of a topic are kept for late subscribers from now on."""
+        if not topic.kept:
+            topic.kept = True
+            self.version += 1
 
     def receivers(self, topic: Topic, connection: Connection) -> Tuple[Receiver, ...]:
         """Tell who hears a publisher, in the order of nodes, each with its subscriptions in their order.
