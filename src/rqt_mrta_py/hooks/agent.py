@@ -76,7 +76,8 @@ class Situation:
         now: the time [s].
         heard: what came since the step before, in order of receipt.
         reports: what became of tasks since the step before: this robot's own, and what operators want.
-        applicable: by task id, whether the robot's behaviour for it could be carried out now.
+        applicable: by task id, whether the robot's behaviour for it could be carried out now; never changed, so the
+            same object may be given again.
         cost: from a task's id to what it would cost this robot now; None if it cannot tell.
         pose: where the robot believes to be, in the frame ``map``; None if it does not know.
     """

@@ -6,6 +6,7 @@
 * ``hearing``: what behaviours wish to hear
 * ``perception``: the newest messages, as a behaviour sees them
 * ``charges``: the robot's tasks, and what stands in the way of each
+* ``applicability``: which of them could be carried out now
 * ``reports``: what is said of tasks, by robots and operators, and what follows
 * ``layers``: behaviours one above the other, of which higher ones suppress lower ones
 * ``commands``: a behaviour's commands as messages

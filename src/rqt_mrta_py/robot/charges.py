@@ -11,7 +11,7 @@ from rqt_mrta_py.robot.layers import LayeredBehaviour
 from rqt_mrta_py.robot.perception import BehaviourPerception
 from rqt_mrta_py.wording import shown
 
-__all__ = ["ENDS_TASK", "Charge", "Charges", "lacking_capabilities", "listed", "undone_predecessors"]
+__all__ = ["ENDS_TASK", "Charge", "Charges", "lacking_capabilities", "listed", "undone_predecessors", "yes_or_no"]
 
 ENDS_TASK = (Progress.DONE, Progress.FAILED, Progress.WITHDRAWN)
 """After these a task is not carried out again, until it is told to appear anew."""
@@ -30,10 +30,7 @@ class Charge(NamedTuple):
         Raises:
             TypeError: it answers neither True nor False.
         """
-        answer: Any = self.behaviour.applicable(self.task, self.perception)
-        if not isinstance(answer, bool):
-            raise TypeError(f"applicable answered {shown(answer)}; accepted is bool")
-        return answer
+        return yes_or_no(self.behaviour.applicable(self.task, self.perception))
 
     def cost(self) -> Optional[float]:
         """Ask the behaviour what the task would cost; None if it cannot tell.
@@ -50,6 +47,17 @@ class Charge(NamedTuple):
         if math.isnan(answer):
             raise ValueError("cost answered nan; None says that it cannot tell")
         return float(answer)
+
+
+def yes_or_no(answer: Any) -> bool:
+    """Give what a behaviour answered when it was asked whether a task could be carried out.
+
+    Raises:
+        TypeError: it is neither True nor False.
+    """
+    if not isinstance(answer, bool):
+        raise TypeError(f"applicable answered {shown(answer)}; accepted is bool")
+    return answer
 
 
 def lacking_capabilities(task: Task, capabilities: Optional[Collection[str]]) -> Tuple[str, ...]:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Tuple
+from typing import FrozenSet, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.errors import MrtaError, RobotError
 from rqt_mrta_py.hooks import Agent, AnyOutgoing, Behaviour, BehaviourStep, Decision, Heard, Situation, Subscription
 from rqt_mrta_py.model import Progress, Task
+from rqt_mrta_py.robot.applicability import Applicability
 from rqt_mrta_py.robot.asking import Asking, checked, extend
 from rqt_mrta_py.robot.charges import Charge, Charges, listed
 from rqt_mrta_py.robot.commands import Commander
@@ -78,6 +79,7 @@ class RobotHost:
         self._charges = Charges(setup.behaviours, self._views, setup.capabilities)
         self._take_on(setup)
         self._ask_about_every_task()
+        self._applicability = Applicability(self._charges, self._asking, _who)
         self._reports = Reports(setup.robot_id, self._charges, setup.others_tasks)
         try:
             self._cycle = Cycle(setup.agent.rate, setup.control_rate)
@@ -202,7 +204,7 @@ class RobotHost:
             now=self._senses.now,
             heard=tuple(self._heard),
             reports=self._reports.take(),
-            applicable=self._applicable(),
+            applicable=self._applicability.ask(),
             cost=self._cost,
             pose=self._senses.pose,
         )
@@ -216,17 +218,6 @@ class RobotHost:
         except Exception as error:
             raise self._asking.failure(self._agent_name, error) from error
         self._follow(chosen, says)
-
-    def _applicable(self) -> Dict[str, bool]:
-        applicable = {}
-        try:
-            for charge, hindrance in self._charges.with_hindrances():
-                applicable[charge.task.id] = not hindrance and charge.is_applicable()
-        except MrtaError:
-            raise
-        except Exception as error:
-            raise self._asking.failure(_who(charge), error) from error
-        return applicable
 
     def _cost(self, task_id: str) -> Optional[float]:
         charge = self._charge(task_id, "asked for the cost of")
