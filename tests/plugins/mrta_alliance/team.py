@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from mrta_alliance.agent import AllianceAgent
@@ -12,6 +12,7 @@ from rqt_mrta_py.hooks import (
     Decision,
     Heard,
     Outgoing,
+    OutgoingRows,
     RobotSensorFactory,
     SensoryEvaluatorFactory,
     Situation,
@@ -105,18 +106,36 @@ def step(
     return who.step(Situation(now, heard, reports, applicable, lambda task: None))
 
 
+def one_by_one(messages: Sequence[Union[Outgoing, OutgoingRows]]) -> List[Outgoing]:
+    """Give every message by itself."""
+    given: List[Outgoing] = []
+    for message in messages:
+        if isinstance(message, Outgoing):
+            given.append(message)
+            continue
+        for row, topic in enumerate(message.topics):
+            fields: Dict[str, Any] = {}
+            for path, column in message.columns.items():
+                value = column.tolist() if isinstance(column, np.ndarray) else column
+                *above, name = path.split("/")
+                node = fields.setdefault(above[0], {}) if above else fields
+                node[name] = value[row] if isinstance(value, (list, tuple)) else value
+            given.append(Outgoing(topic, message.type, fields))
+    return given
+
+
 def motivations(decision: Decision) -> Dict[str, Mapping[str, Any]]:
     """Give the fields of the Motivation messages by task."""
     return {
         message.fields["task_id"]: message.fields
-        for message in decision.messages
+        for message in one_by_one(decision.messages)
         if message.type == "alliance_msgs/Motivation"
     }
 
 
 def announcements(decision: Decision) -> List[Outgoing]:
     """Give the announcements; a decision has none or one."""
-    return [message for message in decision.messages if message.topic == COMMUNICATION]
+    return [message for message in one_by_one(decision.messages) if message.topic == COMMUNICATION]
 
 
 Carry = Callable[[str, str, int], Sequence[int]]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 from dataclasses import replace
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 from hypothesis import given, settings
@@ -13,7 +13,7 @@ from mrta_alliance.agent import AllianceAgent
 
 from rqt_mrta_py.hooks import AgentSetup, Heard, Outgoing, OutgoingRows, Situation, TaskReport
 from rqt_mrta_py.model import Progress, Task
-from tests.plugins.mrta_alliance.team import announced, behaviour_set, nested
+from tests.plugins.mrta_alliance.team import announced, behaviour_set, nested, one_by_one
 
 TASKS = tuple(f"task{number}" for number in range(6))
 LATER = "later"
@@ -56,24 +56,6 @@ def agent(many: int, **rates: Any) -> AllianceAgent:
     tasks = tuple(Task(task, "anything") for task in TASKS)
     setup = AgentSetup("one", TEAM, tasks, nested(*SETS, **rates), np.random.default_rng(0), later_tasks=later)
     return AllianceAgent(setup, many)
-
-
-def one_by_one(messages: Sequence[Union[Outgoing, OutgoingRows]]) -> List[Outgoing]:
-    """Give every message by itself."""
-    given: List[Outgoing] = []
-    for message in messages:
-        if isinstance(message, Outgoing):
-            given.append(message)
-            continue
-        for row, topic in enumerate(message.topics):
-            fields: Dict[str, Any] = {}
-            for path, column in message.columns.items():
-                value = column.tolist() if isinstance(column, np.ndarray) else column
-                *above, name = path.split("/")
-                node = fields.setdefault(above[0], {}) if above else fields
-                node[name] = value[row] if isinstance(value, (list, tuple)) else value
-            given.append(Outgoing(topic, message.type, fields))
-    return given
 
 
 def exactly(value: Any) -> Any:
@@ -125,6 +107,27 @@ def test_both_forms_say_and_do_the_same_whatever_happens(moments: list, start: f
     assert at_once.hazards == readable.hazards
 
 
+usual = st.tuples(
+    st.sampled_from([*TEAM, "stranger"]),
+    st.sampled_from(TASKS),
+    st.sampled_from([0.0, 0.0, 0.3, 1.0]),
+    st.sampled_from([60.0, 60.0, 12.0, 5.0, 2.5]),
+)
+quiet_moment = st.tuples(
+    st.sampled_from([0.1, 0.2, 0.5, 2.5]),
+    st.lists(usual, max_size=6),
+    st.just([]),
+    st.lists(st.just("task5"), max_size=1),
+)
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.lists(quiet_moment, max_size=80), st.sampled_from([0.0, 1.0, 1.6e9]))
+def test_both_forms_do_the_same_as_long_as_there_are_announcements_only(moments: list, start: float) -> None:
+    """Then histories are not asked for a long time."""
+    assert_equal_lives(moments, start)
+
+
 @settings(max_examples=15, deadline=None)
 @given(st.lists(moment, max_size=40))
 def test_both_forms_do_the_same_with_a_low_level_node(moments: list) -> None:
@@ -166,14 +169,22 @@ def test_at_once_a_change_is_known_to_the_next_set_in_the_same_cycle() -> None:
     assert rows.columns["motivation"].tolist() == [0.0, 0.0, 0.0, 7.3, 0.1, 30.0]
 
 
-def test_few_behaviour_sets_and_what_departs_from_the_equations_go_set_by_set() -> None:
+def test_a_robot_of_a_large_team_that_has_no_behaviour_sets_hears_on_and_does_nothing() -> None:
+    setup = AgentSetup("one", tuple(f"robot{number}" for number in range(99)), (), nested(), np.random.default_rng(0))
+    decision = AllianceAgent(setup).step(Situation(1.0, [announced("two", "x", 1.0)], (), {}, lambda task: None))
+    assert decision.task is None
+    assert [message.topic for message in decision.messages] == ["alliance/time_to_activation"]
+
+
+def test_few_sets_of_few_robots_and_what_departs_from_the_equations_go_set_by_set() -> None:
+    """Six sets of one of four robots make ten."""
     fair = nested(behaviour_set("task0", impatience={"fast_rate": 1.0, "fairness": 1.0}), SETS[1])
     tasks = tuple(Task(task, "anything", perpetual=True) for task in TASKS[:2])
     found = {
         "fair": AllianceAgent(AgentSetup("one", TEAM, tasks, fair, np.random.default_rng(0)), 2),
         "strict": agent(2, strict_original=True),
-        "few": agent(16),
-        "many": agent(6),
+        "few": agent(11),
+        "many": agent(10),
     }
     first = {name: type(who.step(situation(1.0, (), (), ())).messages[0]) for name, who in found.items()}
     assert first == {"fair": Outgoing, "strict": Outgoing, "few": Outgoing, "many": OutgoingRows}

@@ -4,7 +4,8 @@
 * ``parameters``: what one robot is told; ``reading``: from the nested form of its YAML file
 * ``communication``: what is heard of other robots, and not believed; ``history``: what is remembered of it
 * ``sensing``: what is said of each task's applicability; ``sensors``: readers of the robot's own sensors
-* ``behaviour_set``: one behaviour set and its motivation; ``array_sets``: the same of many at once
+* ``behaviour_set``: one behaviour set and its motivation; ``array_sets``: the same of many at once,
+  with ``earshot``: what is heard of many robots
 * ``timing``: when the robot resets, inhibits and announces; ``original``: the same as the original nodes do it
 * ``fairness``: an extension, by which perpetual tasks share the time
 * ``messages``: what is said; ``agent``: the robot's decisions; ``newcomers``: parameters of tasks that appear

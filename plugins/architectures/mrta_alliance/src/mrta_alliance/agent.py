@@ -17,7 +17,8 @@ stuck with a robot that cannot obey. And a task may appear that no parameters sp
 from __future__ import annotations
 
 import logging
-from typing import Dict, List, Mapping, Optional, Sequence, Set, Tuple, Union
+from operator import is_
+from typing import TYPE_CHECKING, Dict, List, Mapping, Optional, Sequence, Set, Tuple, Union
 
 import numpy as np
 
@@ -25,6 +26,7 @@ from mrta_alliance import equations, messages
 from mrta_alliance.array_sets import MANY, ArraySets
 from mrta_alliance.behaviour_set import BehaviourSet
 from mrta_alliance.communication import COMMUNICATION, Communication, Hazard
+from mrta_alliance.earshot import Earshot
 from mrta_alliance.fairness import FairShares
 from mrta_alliance.newcomers import parameters_for
 from mrta_alliance.original import AS_ORIGINAL
@@ -32,14 +34,20 @@ from mrta_alliance.parameters import BehaviourSetParameters
 from mrta_alliance.reading import read_parameters
 from mrta_alliance.sensing import Feedback, HeardFeedback, Sensing
 from mrta_alliance.timing import BY_EQUATIONS
-from rqt_mrta_py.hooks import AgentSetup, Decision, Outgoing, OutgoingRows, Situation, Subscription, TaskReport
+from rqt_mrta_py.hooks import AgentSetup, Decision, Heard, Outgoing, OutgoingRows, Situation, Subscription, TaskReport
 from rqt_mrta_py.model import Progress, Task
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 __all__ = ["AllianceAgent"]
 
 _LOG = logging.getLogger(__name__)
 
 _Message = Union[Outgoing, OutgoingRows]
+
+_Told = Tuple[Mapping[str, bool], Mapping[str, bool]]
+"""What behaviours and sensors say of each task."""
 
 _OVER = (Progress.DONE, Progress.FAILED, Progress.UNREACHABLE, Progress.WITHDRAWN)
 
@@ -52,7 +60,7 @@ class AllianceAgent:
 
         Args:
             setup: see there.
-            many: from how many behaviour sets on they are evaluated at once (see ``array_sets``).
+            many: from how many behaviour sets and robots together on sets are evaluated at once (see ``array_sets``).
 
         Raises:
             ValueError: parameters that ALLIANCE cannot work with, or an evaluator that nobody registers; all
@@ -62,12 +70,13 @@ class AllianceAgent:
         told = read_parameters(setup.parameters, tuple(tasks))
         self._robot_id = setup.robot_id
         self._told = told
-        self._many = many
+        self._many = max(1, many - len(setup.team))
         self._timing = AS_ORIGINAL if told.strict_original else BY_EQUATIONS
         self._seniority = _seniority(setup.robot_id, setup.team) if self._timing.extended else 0.0
         self._communication = Communication(setup.robot_id, lambda: self._timing.history(told))
         self._inhibition = self._timing.inhibition()
         self._announcer = self._timing.announcer(1.0 / told.broadcast_rate)
+        self._feedbacks = messages.SensoryFeedbacks()
         self._shares = FairShares()
         self._fair = False
         self._kinds = {task.id: task.kind for task in tasks.values()}
@@ -84,6 +93,7 @@ class AllianceAgent:
         self._before = 0.0
         self._believed: Sequence[Tuple[str, str]] = ()
         self._arrays: Optional[ArraySets] = None
+        self._judged: Optional[Tuple[_Told, NDArray[np.bool_]]] = None
 
     @property
     def rate(self) -> float:
@@ -137,7 +147,9 @@ class AllianceAgent:
 
     def _take_in(self, situation: Situation) -> None:
         topic = COMMUNICATION.topic
-        announcements = (heard for heard in situation.heard if heard.topic == topic)
+        announcements: Sequence[Heard] = [heard for heard in situation.heard if heard.topic == topic]
+        if self._arrays is not None:
+            announcements = self._arrays.take_in(announcements, situation.now)
         self._believed = self._communication.take_in(announcements, situation.now)
         self._feedback.take_in(situation.heard)
 
@@ -162,14 +174,14 @@ class AllianceAgent:
             self._arrays = None
             return None
         if self._arrays is None:
-            timeout = self._told.timeout_duration
-            self._arrays = ArraySets(self._sets, self._communication, self._inhibition, timeout)
-        # As _finds_applicable, for all of them.
-        possible = np.array([*map(situation.applicable.get, self._sets)], bool)
-        if self._ended:
-            possible &= [task not in self._ended for task in self._sets]
-        applicable = possible & np.array([*feedback.values()], bool)
-        self._arrays.evaluate(situation.now, self._before, self._believed, applicable)
+            earshot = Earshot(self._robot_id, self._told.timeout_duration)
+            self._arrays = ArraySets(self._sets, self._communication, self._inhibition, earshot)
+        told = situation.applicable, feedback
+        if self._judged is None or not all(map(is_, self._judged[0], told)):
+            # Most cycles are told the same again.
+            applicable = [self._finds_applicable(task, situation, feedback) for task in self._sets]
+            self._judged = told, np.array(applicable, bool)
+        self._arrays.evaluate(situation.now, self._before, self._believed, self._judged[1])
         return self._arrays
 
     def _settle(self) -> None:
@@ -183,7 +195,7 @@ class AllianceAgent:
         if self._told.low_level_feedback:
             said = []
         elif len(feedback) >= self._many:
-            said = [messages.sensory_feedbacks(robot, now, feedback)]
+            said = [self._feedbacks.message(robot, now, feedback)]
         else:
             said = [messages.sensory_feedback(robot, now, task, answer) for task, answer in feedback.items()]
         task = self._announcer.due(active, now)
@@ -203,11 +215,12 @@ class AllianceAgent:
             self._shares.follow(parameters)
             self._fair = self._fair or parameters.fairness > 0.0
 
-    def _heed(self, situation: Situation) -> Dict[str, bool]:
+    def _heed(self, situation: Situation) -> Mapping[str, bool]:
         """Do what reports ask for; give, by task, what the sensors say of it."""
         taken: Optional[str] = None
         if situation.reports:
             self._settle()
+            self._judged = None
         for report in situation.reports:
             each = self._sets.get(report.task)
             if report.progress is Progress.REASSIGNED and each is not None:

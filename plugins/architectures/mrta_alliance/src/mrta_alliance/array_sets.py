@@ -1,12 +1,14 @@
 """Many behaviour sets of one robot, evaluated at once; results are those of evaluating set by set, bit for bit.
 
 What is to be read is ``behaviour_set`` with ``equations``; this is the same for a robot with a hundred sets, where
-going through them one by one takes too long. Three things make it possible:
+going through them one by one takes too long. Four things make it possible:
 
-* Impatience (3.7) and acquiescence (3.6) depend on robots heard within tau only: those are looked at, not all sets.
+* Impatience (3.7) and acquiescence (3.6) depend on robots heard within tau only: those are looked at, not all sets
+  (``earshot``).
 * At most one set is active before a cycle, so acquiescence concerns one set, and inhibition (3.2) has few forms: sets
   before the active one are inhibited; those after it too, unless it lets its task go; then those after the first that
   becomes active.
+* As long as the active set keeps its task it stays at the threshold, and all others stay without motivation.
 * Everything else (3.1, 3.4, 3.8 to 3.10) is the same sum, product and comparison for each set.
 """
 
@@ -20,21 +22,18 @@ import numpy as np
 from mrta_alliance import equations, messages
 from mrta_alliance.behaviour_set import BehaviourSet
 from mrta_alliance.communication import Communication
-from mrta_alliance.equations import TIME_TOLERANCE
-from mrta_alliance.history import History, Peer
+from mrta_alliance.earshot import Earshot
+from mrta_alliance.history import History
 from mrta_alliance.messages import motivation_topic
 from mrta_alliance.timing import Inhibition
-from rqt_mrta_py.hooks import Outgoing, OutgoingRows
+from rqt_mrta_py.hooks import Heard, Outgoing, OutgoingRows
 
 __all__ = ["MANY", "ArraySets"]
 
 MANY = 16
-"""From how many behaviour sets on evaluating them at once is quicker."""
+"""From how many behaviour sets and robots of the team together on evaluating sets at once is quicker."""
 
 _NOBODY = -1
-
-_HEARD = np.dtype([("row", np.intp), ("first", float), ("newest", float), ("patience", float)])
-"""What is known of one robot with one task: the behaviour set, when it was heard first and last, phi [s]."""
 
 
 class ArraySets:
@@ -47,6 +46,7 @@ class ArraySets:
         tasks: of the behaviour sets, in file order: the rows of all arrays, shape (sets,).
         threshold, motivation, impatience, applicable, suppressed, resetted, acquiescent: as in BehaviourSet; arrays
             that were given out are not changed any more.
+        are_active: True for the active one.
         row: of the active behaviour set; below 0 if there is none.
     """
 
@@ -55,7 +55,7 @@ class ArraySets:
         sets: Mapping[str, BehaviourSet],
         communication: Communication,
         inhibition: Inhibition,
-        timeout: float,
+        earshot: Earshot,
     ) -> None:
         """Begin with the behaviour sets as they are.
 
@@ -63,27 +63,28 @@ class ArraySets:
             sets: by task, in file order; new ones stand at the end.
             communication: whose histories are those of the equations.
             inhibition: is told what becomes active.
-            timeout: tau [s].
+            earshot: of the robot; knows nobody yet.
         """
         self._sets = sets
         self._communication = communication
         self._inhibition = inhibition
-        self._timeout = timeout
+        self._earshot = earshot
         self._settled = True
         self._since = 0.0
         self._orders: List[Tuple[int, bool]] = []
         self._told: Sequence[Any] = ()
+        # What was found out in an earlier cycle and still holds.
+        self._slowing: Optional[Tuple[Any, Any]] = None
+        self._until_active: Optional[List[float]] = None
+        self._kept = _NOBODY
         self.tasks: Tuple[str, ...] = ()
         self.row = _NOBODY
         self.motivation = self.threshold = self.impatience = np.zeros(0)
-        self.applicable = self.suppressed = self.resetted = self.acquiescent = np.zeros(0, bool)
-        # Where in ``heard`` each robot stands with a task; those that fell silent are dropped now and then.
-        self._slots: Dict[Peer, int] = {}
-        self._heard = np.zeros(0, _HEARD)
-        self._early = False
+        self.applicable = self.suppressed = self.resetted = self.acquiescent = self.are_active = np.zeros(0, bool)
+        self._inapplicable = self._held_back = self._none = np.zeros(0, bool)
         for row, task in enumerate(sets):
-            for peer in self._history(task).peers.values():
-                self._hear_of(peer, row)
+            for robot, peer in self._history(task).peers.items():
+                earshot.note(peer, robot, task, row)
 
     @property
     def active(self) -> Optional[str]:
@@ -95,6 +96,7 @@ class ArraySets:
         if self._settled:
             return
         self._settled = True
+        self._earshot.settle()
         columns = (
             self._sets.values(),
             self.motivation.tolist(),
@@ -117,6 +119,10 @@ class ArraySets:
                 applicable=applicable,
             )
 
+    def take_in(self, announcements: Sequence[Heard], now: float) -> Sequence[Heard]:
+        """Take in what came since the cycle before, as far as it is as ever; give the rest (see ``earshot``)."""
+        return announcements if self._settled else self._earshot.take_in(announcements, now, self._limits)
+
     def evaluate(
         self,
         now: float,
@@ -135,10 +141,16 @@ class ArraySets:
         if self._settled:
             self._gather()
         self.resetted = self._find_resets(now, before, believed)
-        on_its_task = self._find_impatience(now)
-        self.acquiescent = self._find_acquiescence(now, on_its_task)
-        self.applicable = applicable
-        held_back = ~self.applicable | self.resetted | self.acquiescent
+        self.impatience = self._find_impatience(now)
+        self.acquiescent = self._find_acquiescence(now)
+        held_back = ~applicable if applicable is not self.applicable else self._inapplicable
+        self.applicable, self._inapplicable = applicable, held_back
+        if self.resetted is not self._none or self.acquiescent is not self._none:
+            held_back = held_back | self.resetted | self.acquiescent
+        self._held_back = held_back
+        if self._goes_on():
+            return
+        self._until_active, self._kept = None, _NOBODY
         free = np.where(held_back, 0.0, np.minimum(self.motivation + self.impatience, self.threshold))
         # The active set is the first to which nothing is active that it would be inhibited by.
         first = max(self.row, 0)
@@ -147,17 +159,22 @@ class ArraySets:
         self.suppressed = (self._rows < first) | (self._rows > chosen)
         self.motivation = np.where(self.suppressed, 0.0, free)
         self._activate(chosen if len(reaches) else _NOBODY, now)
+        self.are_active = self._rows == self.row
 
     def times_to_activation(self, spin_rate: float) -> List[float]:
         """Estimate when each becomes active (equation 3.10) [s]; 0 when it is, NaN while its motivation does not grow.
 
         Args:
-            spin_rate: rho [Hz].
+            spin_rate: rho [Hz]; the same at each call.
         """
-        blocked = ~self.applicable | self.suppressed | self.resetted | self.acquiescent | (self.impatience <= 0.0)
+        if self._until_active is not None:
+            return self._until_active
+        free = np.flatnonzero(~(self._held_back | self.suppressed) & (self.impatience > 0.0))
+        seconds = np.full(len(self.tasks), math.nan)
         with np.errstate(all="ignore"):
-            seconds = (self.threshold - self.motivation) / (self.impatience * spin_rate)
-        return cast(List[float], np.where(blocked, math.nan, seconds).tolist())
+            seconds[free] = (self.threshold[free] - self.motivation[free]) / (self.impatience[free] * spin_rate)
+        self._until_active = cast(List[float], seconds.tolist())
+        return self._until_active
 
     def messages(self, robot_id: str, now: float, spin_rate: float) -> List[Union[Outgoing, OutgoingRows]]:
         """Say how the newest cycle went, and when sets are expected to become active.
@@ -175,7 +192,7 @@ class ArraySets:
             "applicable": self.applicable,
             "motivation": self.motivation,
             "threshold": self.threshold,
-            "active": self._rows == self.row,
+            "active": self.are_active,
         }
         return [
             messages.motivations(robot_id, now, self._topics, self.tasks, columns),
@@ -191,17 +208,35 @@ class ArraySets:
         self._row_of = {task: row for row, task in enumerate(self.tasks)}
         self._rows = np.arange(len(sets))
         self._told = [each.parameters for each in sets]
+        self.threshold = np.array([each.parameters.threshold for each in sets])
         self._fast_rates = np.array([each.parameters.fast_rate for each in sets])
         self._pace = np.array([each.pace for each in sets])
-        self._unslowed = self._pace * self._fast_rates
+        self._limits = self.threshold / self._fast_rates
+        self._slowing = None
+        self._until_active, self._kept = None, _NOBODY
+        self._earshot.pass_over(self.tasks)
         self._none = np.zeros(len(sets), bool)
-        self.threshold = np.array([each.parameters.threshold for each in sets])
         self.motivation = np.array([each.motivation for each in sets])
         self._orders = [(row, not each.ordered) for row, each in enumerate(sets) if each.ordered is not None]
         self.row, self._since = _NOBODY, 0.0
         for row, each in enumerate(sets):
             if each.active_since is not None:
                 self.row, self._since = row, each.active_since
+        self.are_active = self._rows == self.row
+
+    def _goes_on(self) -> bool:
+        """Judge whether the active set keeps its task; how all are then is found out only once."""
+        row = self.row
+        if row == _NOBODY or self._held_back[row]:
+            return False
+        if self._kept == row:
+            return True
+        if self.motivation[row] + self.impatience[row] < self.threshold[row]:
+            return False
+        self._until_active, self._kept = None, row
+        self.suppressed = ~self.are_active
+        self.motivation = np.where(self.are_active, self.threshold, 0.0)
+        return True
 
     def _history(self, task: str) -> History:
         return cast(History, self._communication.history(task))
@@ -211,7 +246,7 @@ class ArraySets:
         reset: Dict[int, bool] = {}
         for task, robot in believed:
             row, peer = self._row_of[task], self._history(task).peers[robot]
-            self._hear_of(peer, row)
+            self._earshot.note(peer, robot, task, row)
             if peer.noticed > before and equations.received((peer.noticed,), before, now):
                 reset[row] = True
         reset.update(self._orders)
@@ -222,56 +257,27 @@ class ArraySets:
         resetted[list(reset)] = list(reset.values())
         return resetted
 
-    def _hear_of(self, peer: Peer, row: int) -> None:
-        """Note what is remembered of a robot now."""
-        slot = self._slots.get(peer)
-        if slot is None:
-            slot = self._slots[peer] = len(self._slots)
-            if slot == len(self._heard):
-                self._heard = np.concatenate([self._heard, np.zeros(max(16, slot), _HEARD)])
-            self._heard["row"][slot] = row
-            self._heard["first"][slot] = peer.first
-            self._early = self._early or peer.first <= TIME_TOLERANCE
-        self._heard["newest"][slot] = peer.recent[-1]
-        self._heard["patience"][slot] = peer.patience
-
-    def _find_impatience(self, now: float) -> List[Peer]:
-        """Judge by equation 3.7; give the robots heard within tau on the active set's task."""
-        heard = self._heard[: len(self._slots)]
-        fresh = heard["newest"] > now - self._timeout + TIME_TOLERANCE
-        # All announcements came after the first, so only where that came about zero do the others count.
-        slowing = fresh & (heard["first"] > now - heard["patience"] + TIME_TOLERANCE)
-        if self._early:
-            for slot, peer in enumerate(self._slots):
-                if peer.first <= TIME_TOLERANCE and fresh[slot]:
-                    slowing[slot] = not peer.announcements().received(0.0, now - peer.patience)
-        rows = heard["row"][slowing]
-        self.impatience = self._unslowed
-        if len(rows):
+    def _find_impatience(self, now: float) -> Any:
+        """Judge by equation 3.7."""
+        slowing = self._earshot.slowing(now)
+        if slowing is not self._slowing:
+            self._slowing = slowing
+            rows, patience = slowing
             rates = self._fast_rates.copy()
-            np.minimum.at(rates, rows, self.threshold[rows] / heard["patience"][slowing])
-            self.impatience = self._pace * rates
-        on_its_task: List[Peer] = []
-        if self.row != _NOBODY:
-            peers = list(self._slots)
-            on_its_task = [peers[slot] for slot in np.flatnonzero(fresh & (heard["row"] == self.row))]
-        if np.count_nonzero(fresh) < len(heard) // 2:
-            kept = np.flatnonzero(fresh).tolist()
-            peers = list(self._slots)
-            self._slots = {peers[slot]: place for place, slot in enumerate(kept)}
-            self._heard = heard[kept]
-        return on_its_task
+            np.minimum.at(rates, rows, self.threshold[rows] / patience)
+            self._slowed = self._pace * rates
+        return self._slowed
 
-    def _find_acquiescence(self, now: float, on_its_task: Iterable[Peer]) -> Any:
+    def _find_acquiescence(self, now: float) -> Any:
         """Judge by equation 3.6, which concerns the active set alone."""
         if self.row == _NOBODY:
             return self._none
         told = self._told[self.row]
         if not equations.acquiescent(
-            (peer.announcements() for peer in on_its_task),
+            self._earshot.within_timeout(self.row),
             self._since,
             now,
-            timeout=self._timeout,
+            timeout=self._earshot.timeout,
             yielding_delay=told.yielding_delay,
             giving_up_delay=told.giving_up_delay,
         ):

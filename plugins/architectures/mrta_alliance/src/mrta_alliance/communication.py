@@ -17,12 +17,12 @@ from mrta_alliance.messages import COMMUNICATION_TOPIC, COMMUNICATION_TYPE
 from rqt_mrta_py.hooks import Heard, Subscription
 from rqt_mrta_py.model import normalise_id
 
-__all__ = ["COMMUNICATION", "Communication", "Hazard"]
+__all__ = ["CLOCK_SKEW", "COMMUNICATION", "Communication", "Hazard"]
 
 _LOG = logging.getLogger(__name__)
 
-# Clocks kept by NTP differ by far less.
-_CLOCK_SKEW = 1.0
+CLOCK_SKEW = 1.0
+"""How far a stamp may be ahead of this robot's clock unnoticed; clocks kept by NTP differ by far less [s]."""
 
 COMMUNICATION = Subscription(
     COMMUNICATION_TOPIC,
@@ -131,7 +131,7 @@ class Communication:
             return self._notice(Hazard.NO_DURATION, robot, task, False)
         if stamp == 0.0:
             return self._notice(Hazard.ZERO_STAMP, robot, task, False)
-        if stamp > message.receipt + _CLOCK_SKEW:
+        if stamp > message.receipt + CLOCK_SKEW:
             self._notice(Hazard.FUTURE_STAMP, robot, task, True)
         if duration <= self._limits[task]:
             self._notice(Hazard.SHORT_DURATION, robot, task, True)

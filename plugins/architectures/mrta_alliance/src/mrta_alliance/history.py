@@ -57,6 +57,17 @@ class Peer:
         self.noticed = noticed
         self.patience = patience
 
+    def catch_up(self, newest: float, patience: float) -> None:
+        """Take in announcements of which none but the newest counts (see ``earshot``).
+
+        Args:
+            newest: when the newest one was received [s].
+            patience: its expected duration [s].
+        """
+        self.recent.clear()
+        self.recent.append(newest)
+        self.patience = patience
+
     def announcements(self) -> Announcements:
         """Give them as the equations take them."""
         times: Sequence[float] = self.recent

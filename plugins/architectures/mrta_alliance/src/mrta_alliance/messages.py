@@ -6,7 +6,7 @@ nodes know their own messages.
 
 from __future__ import annotations
 
-from typing import Dict, Mapping, Sequence
+from typing import Dict, Mapping, Sequence, Tuple
 
 import numpy as np
 
@@ -20,13 +20,13 @@ __all__ = [
     "FEEDBACK_TYPE",
     "MOTIVATION_TOPICS",
     "MOTIVATION_TYPE",
+    "SensoryFeedbacks",
     "announcement",
     "hazard_notice",
     "header",
     "motivation_topic",
     "motivations",
     "sensory_feedback",
-    "sensory_feedbacks",
     "time_to_activation",
 ]
 
@@ -76,14 +76,31 @@ def sensory_feedback(robot_id: str, now: float, task: str, applicable: bool) -> 
     return Outgoing(FEEDBACK_TOPIC, FEEDBACK_TYPE, fields)
 
 
-def sensory_feedbacks(robot_id: str, now: float, applicable: Mapping[str, bool]) -> OutgoingRows:
-    """Say whether the sensors find tasks applicable, each in a message of its own."""
-    columns = {
-        **_heads(robot_id, now),
-        "task_id": tuple(applicable),
-        "applicable": np.array(list(applicable.values()), bool),
-    }
-    return OutgoingRows((FEEDBACK_TOPIC,) * len(applicable), FEEDBACK_TYPE, columns)
+class SensoryFeedbacks:
+    """Says whether the sensors find tasks applicable, each in a message of its own, mostly the same again."""
+
+    def __init__(self) -> None:
+        """Start with nothing said."""
+        self._said: Mapping[str, bool] = {}
+        self._topics: Tuple[str, ...] = ()
+        self._columns: Mapping[str, Column] = {}
+
+    def message(self, robot_id: str, now: float, applicable: Mapping[str, bool]) -> OutgoingRows:
+        """Make the messages of one cycle.
+
+        Args:
+            robot_id: the sender.
+            now: its time [s].
+            applicable: by task; not to be changed any more.
+        """
+        if applicable is not self._said:
+            self._said = applicable
+            self._topics = (FEEDBACK_TOPIC,) * len(applicable)
+            self._columns = {
+                "task_id": tuple(applicable),
+                "applicable": np.array(list(applicable.values()), bool),
+            }
+        return OutgoingRows(self._topics, FEEDBACK_TYPE, {**_heads(robot_id, now), **self._columns})
 
 
 def announcement(robot_id: str, now: float, task: str, expected_duration: float) -> Outgoing:
@@ -125,4 +142,4 @@ def hazard_notice(robot_id: str, now: float, text: str) -> Outgoing:
 
 
 def _heads(robot_id: str, now: float) -> Dict[str, Column]:
-    return {f"header/{name}": value for name, value in (("stamp", now), ("frame_id", wire_id(robot_id)))}
+    return {"header/stamp": now, "header/frame_id": wire_id(robot_id)}

@@ -6,7 +6,7 @@ SensoryFeedback of a low_level node, such as the original's, which has asked its
 
 from __future__ import annotations
 
-from typing import Dict, Iterable, List, Mapping, Protocol
+from typing import Collection, Dict, Iterable, List, Mapping, Protocol
 
 from mrta_alliance.equations import TIME_TOLERANCE
 from mrta_alliance.messages import FEEDBACK_TOPIC, FEEDBACK_TYPE
@@ -37,11 +37,11 @@ class Feedback(Protocol):
         """Remember what came; messages of others are passed over."""
         ...
 
-    def of(self, tasks: Iterable[str], now: float) -> Dict[str, bool]:
-        """Tell tasks' sensory feedback, by task, in their order.
+    def of(self, tasks: Collection[str], now: float) -> Mapping[str, bool]:
+        """Tell tasks' sensory feedback, by task, in their order; what was given is not changed any more.
 
         Args:
-            tasks: ids of tasks of this robot.
+            tasks: ids of tasks of this robot; new ones stand at the end.
             now: the time [s].
         """
         ...
@@ -75,7 +75,7 @@ class HeardFeedback:
             if message.topic == self._topic:
                 self._newest[message.fields["task_id"]] = message
 
-    def of(self, tasks: Iterable[str], now: float) -> Dict[str, bool]:
+    def of(self, tasks: Collection[str], now: float) -> Mapping[str, bool]:
         """Tell tasks' sensory feedback."""
         return {task: self.finds_applicable(task, now) for task in tasks}
 
@@ -110,6 +110,7 @@ class Sensing:
         self._by_topic: Dict[str, RobotSensor] = {
             resolve_name(topic, f"/{robot_id}/agent"): reader for topic, reader in self._readers.items()
         }
+        self._told: Mapping[str, bool] = {}
         self._sensors = {told.task_id: told.sensors for told in parameters.behaviour_sets if told.sensors}
         self._evaluators = {
             told.task_id: _evaluator(told, tasks[told.task_id], evaluators)
@@ -123,18 +124,21 @@ class Sensing:
 
     def take_in(self, messages: Iterable[Heard]) -> None:
         """Give every message to the reader of its sensor; others are passed over."""
+        if not self._by_topic:
+            return
         for message in messages:
             reader = self._by_topic.get(message.topic)
             if reader is not None:
                 reader.hear(message)
 
-    def of(self, tasks: Iterable[str], now: float) -> Dict[str, bool]:
-        """Tell tasks' sensory feedback; only those that have sensors need asking."""
-        told = dict.fromkeys(tasks, True)
-        for task in self._evaluators:
-            if task in told:
-                told[task] = self.finds_applicable(task, now)
-        return told
+    def of(self, tasks: Collection[str], now: float) -> Mapping[str, bool]:
+        """Tell tasks' sensory feedback; only those that have sensors need asking, and the same is given again."""
+        if len(tasks) != len(self._told):
+            self._told = dict.fromkeys(tasks, True)
+        asked = {task: self.finds_applicable(task, now) for task in self._evaluators if task in self._told}
+        if any(answer is not self._told[task] for task, answer in asked.items()):
+            self._told = {**self._told, **asked}
+        return self._told
 
     def finds_applicable(self, task: str, now: float) -> bool:
         """Ask a task's evaluator; a task without sensors is always applicable as far as they are concerned."""
