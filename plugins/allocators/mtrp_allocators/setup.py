@@ -3,4 +3,5 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=["mtrp_allocators", "mtrp_allocators.references"], package_dir={"": "src"}))
+packages = ["mtrp_allocators", "mtrp_allocators.experiments", "mtrp_allocators.references"]
+setup(**generate_distutils_setup(packages=packages, package_dir={"": "src"}))

@@ -37,7 +37,6 @@ def by_trying(ways: Distances) -> float:
 def test_it_is_what_trying_everything_finds(robots: List[Tuple[int, int]], targets: List[Tuple[int, int]]) -> None:
     ways = distances(np.array(robots, float), np.array(targets, float))
     found = least_total_length(ways)
-    assert found is not None
     assert sorted(target for route in found.routes for target in route) == list(range(len(targets)))
     assert found.length == pytest.approx(total_length(ways, found.routes))
     assert found.length == pytest.approx(by_trying(ways))
@@ -68,11 +67,9 @@ def test_shortest_paths_of_published_instances(
     place = cities(shared_data(f"tsplib/{name}.tsp"))
     ways = distances(place[:1], place[1:])
     found = least_total_length(ways)
-    assert found is not None
     assert found.length == pytest.approx(exact, abs=1e-4)
     coarse = Distances(np.round(ways.starts, 2), np.round(ways.between, 2))
     found = least_total_length(coarse)
-    assert found is not None
     assert found.length == pytest.approx(rounded, abs=1e-6)
 
 
@@ -80,5 +77,4 @@ def test_without_robots_there_is_no_optimum() -> None:
     with pytest.raises(ValueError, match="without robots"):
         least_total_length(Distances(np.zeros((0, 2)), np.zeros((2, 2))))
     nothing = least_total_length(Distances(np.zeros((2, 0)), np.zeros((0, 0))))
-    assert nothing is not None
     assert (nothing.routes, nothing.length) == (((), ()), 0.0)

@@ -4,6 +4,7 @@
 * ``prim``: Prim allocation; ``insertion``: sequential single-item auctions
 * ``assignment``: round by round, and by nearness
 * ``references``: the proved optimum, and solvers of vehicle routing problems
+* ``experiments``: what ``mrta bench mtrp`` measures
 * ``allocators``: the same as allocators of the hook; ``plugin``: the hooks
 """
 

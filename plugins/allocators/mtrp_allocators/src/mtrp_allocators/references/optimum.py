@@ -32,7 +32,7 @@ class Optimum(NamedTuple):
     cuts: int
 
 
-def least_total_length(ways: Distances, time_limit: Optional[float] = None) -> Optional[Optimum]:
+def least_total_length(ways: Distances, time_limit: Optional[float] = None) -> Optimum:
     """Find routes of the least total length, and prove that there are no shorter ones.
 
     With x_st = 1 where t is visited right after s, and y_rt = 1 where robot r begins with t:
@@ -49,11 +49,9 @@ def least_total_length(ways: Distances, time_limit: Optional[float] = None) -> O
         ways: between all places; at least one robot.
         time_limit: for each programme that is solved [s]; None for none.
 
-    Returns:
-        The optimum; None if a programme was not solved within its limit.
-
     Raises:
         ValueError: there is no robot.
+        UnsolvedError: a programme was not solved within its limit.
     """
     robots, targets = ways.starts.shape
     if not robots:
@@ -62,11 +60,11 @@ def least_total_length(ways: Distances, time_limit: Optional[float] = None) -> O
         return Optimum(((),) * robots, 0.0, 0)
     if robots == 1:
         found = shortest_path(ways.starts[0], ways.between, time_limit)
-        return None if found is None else Optimum((found.order,), total_length(ways, [found.order]), found.cuts)
+        return Optimum((found.order,), total_length(ways, [found.order]), found.cuts)
     return _several(ways, time_limit)
 
 
-def _several(ways: Distances, time_limit: Optional[float]) -> Optional[Optimum]:
+def _several(ways: Distances, time_limit: Optional[float]) -> Optimum:
     robots, targets = ways.starts.shape
     arcs = _Arcs(robots, targets)
     programme = Programme(np.concatenate((ways.starts.ravel(), ways.between[arcs.before, arcs.after])))
@@ -76,8 +74,6 @@ def _several(ways: Distances, time_limit: Optional[float]) -> Optional[Optimum]:
     for robot in range(robots):
         programme.add(Row(arcs.beginning(robot), -math.inf, 1.0))
     solution = programme.solve_with_cuts(arcs.missing, time_limit)
-    if solution is None:
-        return None
     routes = arcs.routes(solution)
     return Optimum(routes, total_length(ways, routes), programme.cuts)
 

@@ -25,7 +25,7 @@ class PathOptimum(NamedTuple):
 
 def shortest_path(
     starts: NDArray[np.float64], between: NDArray[np.float64], time_limit: Optional[float] = None
-) -> Optional[PathOptimum]:
+) -> PathOptimum:
     """Find the shortest path from a start through all targets, wherever it ends.
 
     The symmetric travelling salesman problem on start, targets and a dummy place next to the start, from which every
@@ -40,8 +40,8 @@ def shortest_path(
         between: from target to target, symmetric, shape (targets, targets) [m].
         time_limit: for each programme that is solved [s]; None for none.
 
-    Returns:
-        The order; None if a programme was not solved within its limit.
+    Raises:
+        UnsolvedError: a programme was not solved within its limit.
     """
     targets = len(starts)
     if targets < 2:
@@ -57,7 +57,7 @@ def shortest_path(
         programme.add(Row(edges.at(place), 2.0, 2.0))
     programme.add(Row(edges.joining(targets, targets + 1), 1.0, 1.0))
     values = programme.solve_with_cuts(edges.missing, time_limit)
-    return None if values is None else PathOptimum(edges.path(values), programme.cuts)
+    return PathOptimum(edges.path(values), programme.cuts)
 
 
 class _Edges:

@@ -6,15 +6,19 @@ from typing import TYPE_CHECKING, Callable, List, NamedTuple, Optional, Sequence
 
 import numpy as np
 
-from rqt_mrta_py.hooks import MissingDependencyError
+from rqt_mrta_py.hooks import MissingDependencyError, MrtaError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Programme", "Row"]
+__all__ = ["Programme", "Row", "UnsolvedError"]
 
 _WHOLE = 1e-6
 """What lies so near to a whole number counts as one."""
+
+
+class UnsolvedError(MrtaError):
+    """A programme was not solved to the end, for want of time."""
 
 
 class Row(NamedTuple):
@@ -51,7 +55,7 @@ class Programme:
 
     def solve_with_cuts(
         self, violated: Callable[[NDArray[np.float64]], Sequence[Row]], time_limit: Optional[float] = None
-    ) -> Optional[NDArray[np.float64]]:
+    ) -> NDArray[np.float64]:
         """Find the whole solution of the least cost that violates nothing.
 
         Args:
@@ -59,16 +63,15 @@ class Programme:
             time_limit: for each programme that is solved [s]; None for none.
 
         Returns:
-            The variables; None if a programme was not solved within its limit.
+            The variables.
 
         Raises:
+            UnsolvedError: a programme was not solved within its limit.
             MissingDependencyError: SciPy is not installed.
         """
         whole = False
         while True:
             values = self._solve(whole, time_limit)
-            if values is None:
-                return None
             rows = violated(values)
             if rows:
                 self.cuts += len(rows)
@@ -78,7 +81,7 @@ class Programme:
             else:
                 whole = True
 
-    def _solve(self, whole: bool, time_limit: Optional[float]) -> Optional[NDArray[np.float64]]:
+    def _solve(self, whole: bool, time_limit: Optional[float]) -> NDArray[np.float64]:
         try:
             from scipy.optimize import Bounds, LinearConstraint, milp
             from scipy.sparse import csr_array
@@ -96,4 +99,7 @@ class Programme:
             constraints=LinearConstraint(matrix, *limits),
             options=options,
         )
-        return found.x if found.status == 0 else None
+        if found.status != 0:
+            raise UnsolvedError(f"a programme of {len(self._costs)} variables was not solved: {found.message}")
+        values: NDArray[np.float64] = found.x
+        return values
