@@ -59,6 +59,7 @@ def test_rospack_finds_every_package(space: Space) -> None:
                 "mrta_alliance",
                 "mrta_baselines",
                 "mrta_l_alliance",
+                "mtrp_allocators",
                 "nearest_robot",
                 "team_measures",
             },
