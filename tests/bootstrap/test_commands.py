@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tests.bootstrap.conftest import Miniature
+from tests.bootstrap.conftest import Miniature, program
 
 
 def test_run_passes_arguments_on_as_they_are(miniature: Miniature) -> None:
@@ -55,3 +55,14 @@ def test_run_appends_the_checkout_to_the_users_ros_packages(miniature: Miniature
     script = 'bootstrap run; append_to_ros_path; printf "%s" "$ROS_PACKAGE_PATH"'
     assert miniature.shell(script, ROS_PACKAGE_PATH="/mine/src").stdout == f"/mine/src:{own}"
     assert miniature.shell(script).stdout == own
+
+
+def test_test_shares_tests_among_processes_unless_its_caller_says_otherwise(miniature: Miniature) -> None:
+    python = program(miniature.folder / "bin", "python", 'printf "<%s>\\n" "${PYTHONDONTWRITEBYTECODE-unset}" "$@"')
+    miniature.fake_set_up(f"ln -sf '{python}' .venv/bin/python; echo settled")
+    result = miniature.call(str(miniature.folder / "test"), "-n", "0", "two words", PYTHONDONTWRITEBYTECODE="1")
+    assert result.stdout.splitlines() == [
+        *("<unset>", "<-m>", "<pytest>"),
+        *("<--numprocesses>", "<auto>", "<--maxprocesses>", "<8>", "<--dist>", "<worksteal>"),
+        *("<-n>", "<0>", "<two words>"),
+    ], result.stderr
