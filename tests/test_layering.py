@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from functools import lru_cache
 from pathlib import Path
 from typing import Dict, FrozenSet, Iterator, List, Tuple
 
@@ -38,15 +39,17 @@ STDLIB_ONLY = "model"
 THIRD_PARTY = frozenset(DOORS) | {"numpy", "scipy", "lxml", "yaml", "pluggy", "catkin_pkg", "rospkg", "lz4", "rich"}
 
 
-def imported_modules(path: Path) -> Iterator[Tuple[int, str]]:
-    """Yield line and dotted name of everything a file imports, type-only and lazy imports included."""
+@lru_cache(maxsize=None)
+def imported_modules(path: Path) -> List[Tuple[int, str]]:
+    """List line and dotted name of everything a file imports, type-only and lazy imports included."""
+    found = []
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
-            for alias in node.names:
-                yield node.lineno, alias.name
+            found += [(node.lineno, alias.name) for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
             assert node.level == 0, f"{path}:{node.lineno}: relative import"
-            yield node.lineno, node.module or ""
+            found.append((node.lineno, node.module or ""))
+    return found
 
 
 def python_files(folder: Path) -> List[Path]:

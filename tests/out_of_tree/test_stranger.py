@@ -89,9 +89,15 @@ def listed(stranger: Stranger, kind: str) -> List[Dict[str, Any]]:
     return list(json.loads(answer.stdout)[kind])
 
 
-def test_stranger_implements_every_hook_that_there_is(stranger: Stranger) -> None:
+@pytest.fixture(scope="module")
+def plugin(stranger: Stranger) -> Dict[str, Any]:
+    """Say what the list of plugins tells of the stranger's."""
+    (found,) = [each for each in listed(stranger, "plugins") if each["name"] == "stranger"]
+    return found
+
+
+def test_stranger_implements_every_hook_that_there_is(plugin: Dict[str, Any]) -> None:
     """If this fails, a hook is new: let the stranger do something with it that shows, and test that here."""
-    (plugin,) = [each for each in listed(stranger, "plugins") if each["name"] == "stranger"]
     assert sorted(plugin["hooks"]) == sorted(HOOKS)
 
 
@@ -105,8 +111,7 @@ def test_list_of_hooks_names_the_stranger_everywhere(stranger: Stranger) -> None
     assert [hook for hook in HOOKS if "stranger.plugin" not in implemented[hook]] == []
 
 
-def test_code_comes_from_where_it_was_put(stranger: Stranger) -> None:
-    (plugin,) = [each for each in listed(stranger, "plugins") if each["name"] == "stranger"]
+def test_code_comes_from_where_it_was_put(stranger: Stranger, plugin: Dict[str, Any]) -> None:
     assert stranger.folder in Path(plugin["folder"]).parents
     assert HERE not in Path(plugin["folder"]).parents
 

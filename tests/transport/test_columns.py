@@ -197,7 +197,7 @@ def two_calls(draw: Any) -> Tuple[str, int, Dict[str, Any], Dict[str, Any]]:
     return type_name, count, first, {**second, **same}
 
 
-@settings(deadline=None, max_examples=400)
+@settings(deadline=None)
 @given(two_calls())
 def test_columns_become_what_their_rows_become_one_by_one(
     drawn: Tuple[str, int, Dict[str, Any], Dict[str, Any]],
