@@ -3,4 +3,5 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=["mrta_demir_cf", "mrta_demir_cf.planning"], package_dir={"": "src"}))
+packages = ["mrta_demir_cf", "mrta_demir_cf.experiments", "mrta_demir_cf.planning"]
+setup(**generate_distutils_setup(packages=packages, package_dir={"": "src"}))
