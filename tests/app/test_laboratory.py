@@ -20,7 +20,7 @@ from rqt_mrta_py.app.bench.workers import WorkerError, in_order
 from rqt_mrta_py.app.compose import Host, compose
 from rqt_mrta_py.app.run.mission import RunRequest, run_mission
 from rqt_mrta_py.errors import UsageError
-from rqt_mrta_py.hooks import Experiment, Trial
+from rqt_mrta_py.hooks import Experiment, IdleTeam, Trial
 from rqt_mrta_py.model import RadioSetup, ScenarioEvent, ScenarioEventKind, TaskState
 from rqt_mrta_py.supervisor import summary as summary_of
 from tests.app.errand_yard import DURATION, write_errand_yard
@@ -116,6 +116,47 @@ def test_an_error_in_one_experiment_names_application_and_seed_and_stops(
         next(trials)
     assert str(caught.value) == f"{errands}, seed 2: --robots 7: errand_yard has 2 robots; give 1 to 2"
     assert caught.value.exit_code == UsageError.exit_code
+    assert multiprocessing.active_children() == []
+
+
+def idle_team(architecture: str = "mrta_alliance", robots: int = 2) -> IdleTeam:
+    """Make a team in which each robot has a task of its own, and takes it up in its tenth cycle."""
+    tasks = tuple(f"task{number}" for number in range(robots))
+    parameters = {}
+    for task in tasks:
+        fast = {"task_id": task, "motivational_behaviour": {"threshold": 10.0, "impatience": {"fast_rate": 1.0}}}
+        sets = {"size": 1, "behaviour_set0": fast}
+        parameters[f"robot_of_{task}"] = {"spin_rate": 10.0, "broadcast_rate": 2.0, "behaviour_sets": sets}
+    return IdleTeam(architecture, parameters, tasks, duration=3.0, warm_up=2.0)
+
+
+def test_what_an_idle_team_says_is_counted_in_its_duration_alone(host: Host) -> None:
+    """Two robots, 30 cycles: a motivation each; tasks are taken up in the warm-up, and announced twice a second."""
+    team = idle_team()
+    (cost,) = EmbeddedLaboratory(host).costs([team])
+
+    assert cost.team is team
+    assert cost.messages["alliance_msgs/Motivation"] == 60
+    assert cost.messages["alliance_msgs/InterRobotCommunication"] == 12
+    assert "rqt_mrta_py/TaskProgress" not in cost.messages
+    assert cost.processor_time > 0.0
+
+
+def test_costs_come_in_the_order_of_teams_and_progress_is_told(host: Host) -> None:
+    told: List[float] = []
+    laboratory = EmbeddedLaboratory(host, progress=lambda done, planned: told.append(done))
+    costs = list(laboratory.costs([idle_team(robots=3), idle_team(robots=1)]))
+
+    assert [cost.messages["alliance_msgs/Motivation"] for cost in costs] == [90, 30]
+    assert told == [0.0, 1.0, 2.0]
+
+
+def test_an_error_in_an_idle_team_names_architecture_and_team(host: Host) -> None:
+    with pytest.raises(ExperimentError, match=r"^nobody, 2 idle robots: nobody: "):
+        list(EmbeddedLaboratory(host).costs([idle_team("nobody")]))
+    broken = dataclasses.replace(idle_team(), parameters={"robot0": {"behaviour_sets": {"size": "many"}}})
+    with pytest.raises(ExperimentError, match=r"^mrta_alliance, 1 idle robots: robot0: agent of mrta_alliance"):
+        list(EmbeddedLaboratory(host).costs([broken]))
     assert multiprocessing.active_children() == []
 
 

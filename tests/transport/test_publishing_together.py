@@ -400,3 +400,14 @@ def test_what_nobody_notices_is_neither_serialised_nor_counted_one_by_one(monkey
     for method in ("count", "encode"):
         monkeypatch.setattr(f"rqt_mrta_py.transport.embedded.choir.Choir.{method}", None)
     bus.publish_each([(node, [rows, rows])], 1.0)
+
+
+def test_messages_are_counted_by_type_whether_anybody_noticed_them_or_not() -> None:
+    bus = Bus(RosCodec(lookup), ListLink())
+    node = bus.node("/robot1/agent", "robot1")
+    rows = OutgoingRows(("x", "y", "x"), POSE, poses(1.0, (1.0, 2.0, 3.0)))
+    bus.publish_each([(node, [rows, Outgoing("x", POSE, {}), rows, Outgoing("t", "std_msgs/String", {})])], 1.0)
+    assert list(bus.published().items()) == [(POSE, 7), ("std_msgs/String", 1)]
+    bus.tap(lambda batch: None)
+    bus.publish_each([(node, [rows])], 1.0)
+    assert bus.published()[POSE] == 10

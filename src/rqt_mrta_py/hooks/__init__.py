@@ -59,7 +59,7 @@ from rqt_mrta_py.hooks.incident import (
     RuleSetup,
     TaskStateChanged,
 )
-from rqt_mrta_py.hooks.laboratory import Experiment, Laboratory, Trial
+from rqt_mrta_py.hooks.laboratory import Experiment, IdleTeam, Laboratory, TeamCost, Trial
 from rqt_mrta_py.hooks.link import Link, LinkFactory, LinkSetup
 from rqt_mrta_py.hooks.loading import load_plugin, load_plugins
 from rqt_mrta_py.hooks.manager import PluginManager
@@ -164,6 +164,7 @@ __all__ = [
     "FigureSetup",
     "Heard",
     "HookSpecs",
+    "IdleTeam",
     "IncidentBoard",
     "IncidentRule",
     "IncidentRuleFactory",
@@ -224,6 +225,7 @@ __all__ = [
     "Subscription",
     "TaskReport",
     "TaskStateChanged",
+    "TeamCost",
     "TeamHeard",
     "TeamMoment",
     "TeamOutgoing",

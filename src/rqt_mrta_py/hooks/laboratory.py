@@ -1,13 +1,13 @@
-"""The laboratory: simulated missions for benchmarks, as many as they like, without bag and pictures."""
+"""The laboratory: simulated missions for benchmarks, as many as they like, without bag and pictures; idle teams."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Iterator, Mapping, Optional, Protocol, Sequence, Tuple
+from typing import Any, Iterator, Mapping, Optional, Protocol, Sequence, Tuple
 
 from rqt_mrta_py.model import MissionRecord, RadioSetup, ScenarioEvent
 
-__all__ = ["Experiment", "Laboratory", "Trial"]
+__all__ = ["Experiment", "IdleTeam", "Laboratory", "TeamCost", "Trial"]
 
 
 @dataclass(frozen=True)
@@ -57,13 +57,59 @@ class Trial:
     processor_time: float = 0.0
 
 
+@dataclass(frozen=True)
+class IdleTeam:
+    """A team whose agents work and whose behaviours are always applicable and do nothing, for what agents cost.
+
+    There is no world, every message arrives at once, and nobody records or supervises.
+
+    Attributes:
+        architecture: a registered name, whose agents they are.
+        parameters: by robot, in the team's order: what its agent is told, complete; see AgentSetup.
+        tasks: ids of the tasks, which never end and which every robot may carry out.
+        duration: that is measured [s].
+        warm_up: that passes before [s].
+        control_rate: control ticks a second [Hz].
+    """
+
+    architecture: str
+    parameters: Mapping[str, Mapping[str, Any]]
+    tasks: Tuple[str, ...]
+    duration: float
+    warm_up: float = 0.0
+    control_rate: int = 10
+
+
+@dataclass(frozen=True)
+class TeamCost:
+    """What an idle team cost.
+
+    Attributes:
+        team: that was measured.
+        messages: how many were published in its duration, by type.
+        processor_time: that its duration took [s].
+    """
+
+    team: IdleTeam
+    messages: Mapping[str, int]
+    processor_time: float
+
+
 class Laboratory(Protocol):
-    """Carries out experiments."""
+    """Carries out experiments, and measures what agents cost."""
 
     def trials(self, experiments: Sequence[Experiment]) -> Iterator[Trial]:
         """Carry experiments out, on all cores, and give what came of each, in their order.
 
         Raises:
             MrtaError: one cannot be carried out; names application and seed.
+        """
+        ...
+
+    def costs(self, teams: Sequence[IdleTeam]) -> Iterator[TeamCost]:
+        """Measure what teams cost, one after the other, each in a process of its own, in their order.
+
+        Raises:
+            MrtaError: a team cannot be made, or fails; names architecture and team.
         """
         ...

@@ -3,6 +3,7 @@
 * ``registered``: finds and runs the benchmarks of all plugins; ``plugin`` registers ours
 * ``report``: what they leave, as files
 * ``laboratory``: simulated missions for benchmarks; ``experiments`` makes them, ``trial`` carries one out,
-  ``message_counts`` counts what is said, ``workers`` shares the work among processes
+  ``message_counts`` counts what is said, ``workers`` shares the work among processes; ``idle_team`` measures agents
+  alone, ``apart`` in a process of their own
 * ``loop``, ``load``, ``parts``: how fast a simulated mission runs, with how much to do, and where its time goes
 """

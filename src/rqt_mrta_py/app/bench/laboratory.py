@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Callable, Iterator, Optional, Sequence
+from typing import Callable, Dict, Iterator, Optional, Sequence, Tuple
 
+from rqt_mrta_py.app.bench.apart import apart
 from rqt_mrta_py.app.bench.experiments import ExperimentMissions
 from rqt_mrta_py.app.bench.workers import in_order
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.processes import cores
 from rqt_mrta_py.app.run.collector import rare_collections
 from rqt_mrta_py.errors import MrtaError
-from rqt_mrta_py.hooks import Experiment, Trial
+from rqt_mrta_py.hooks import Experiment, IdleTeam, TeamCost, Trial
 
 __all__ = ["EmbeddedLaboratory", "ExperimentError"]
 
@@ -59,6 +60,25 @@ class EmbeddedLaboratory:
         for number, trial in enumerate(in_order(carry_out, experiments, self._processes), start=1):
             self._progress(float(number), float(planned))
             yield trial
+
+    def costs(self, teams: Sequence[IdleTeam]) -> Iterator[TeamCost]:
+        """Measure what teams cost, one after the other, each in a process of its own, in their order."""
+        self._progress(0.0, float(len(teams)))
+        for number, team in enumerate(teams, start=1):
+            try:
+                messages, processor_time = apart(_cost_of, self._host, team)
+            except MrtaError as error:
+                told = ExperimentError(f"{team.architecture}, {len(team.parameters)} idle robots: {error}")
+                told.exit_code = error.exit_code
+                raise told from error
+            self._progress(float(number), float(len(teams)))
+            yield TeamCost(team, messages, processor_time)
+
+
+def _cost_of(host: Host, team: IdleTeam) -> Tuple[Dict[str, int], float]:
+    from rqt_mrta_py.app.bench.idle_team import cost_of
+
+    return cost_of(host, team)
 
 
 def _carried_out(missions: ExperimentMissions, experiment: Experiment) -> Trial:

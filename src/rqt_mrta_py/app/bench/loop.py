@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import argparse
-import multiprocessing
 import resource
 import tempfile
 import time
 from contextlib import ExitStack
-from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, Dict, List, NamedTuple, Tuple
 
+from rqt_mrta_py.app.bench.apart import apart
 from rqt_mrta_py.app.bench.load import CONTROL_RATE, LoadPlugin, load_mission_of
 from rqt_mrta_py.app.bench.parts import PartTimer
 from rqt_mrta_py.app.compose import compose
@@ -22,7 +21,6 @@ from rqt_mrta_py.app.run.collector import rare_collections
 from rqt_mrta_py.app.run.embedded import EmbeddedRun
 from rqt_mrta_py.app.run.watch import WatchPlan, open_watch
 from rqt_mrta_py.app.run.watch_process import open_watcher
-from rqt_mrta_py.errors import MrtaError, UsageError
 from rqt_mrta_py.hooks import BenchmarkTable, Codec
 
 __all__ = ["add_arguments", "measure"]
@@ -65,9 +63,9 @@ def measure(options: argparse.Namespace) -> BenchmarkTable:
     """Run every case."""
     rows: List[Tuple[Any, ...]] = []
     for case in options.cases:
-        speeds = [_apart(_speed, case, options.processes) for _ in range(max(1, options.repeats))]
+        speeds = [apart(_speed, case, options.processes) for _ in range(max(1, options.repeats))]
         best = min(speeds, key=lambda speed: speed.wall)
-        shares = {} if options.no_parts else _apart(_parts, case)
+        shares = {} if options.no_parts else apart(_parts, case)
         total = sum(shares.values()) or 1.0
         rows.append(
             (
@@ -100,32 +98,6 @@ def _cases(text: str) -> List[_Case]:
         robots = int(number)
         cases.append(_Case(world, robots, 30.0 if robots <= 10 else 11.0))
     return cases
-
-
-def _apart(function: Any, *arguments: Any) -> Any:
-    """Measure in a fresh process, so that no case finds what another left."""
-    context = multiprocessing.get_context("fork")
-    answers, answer = context.Pipe(duplex=False)
-    process = context.Process(target=_answer, args=(answer, function, arguments))
-    process.start()
-    answer.close()
-    try:
-        error, result = answers.recv()
-    except EOFError:
-        error, result = UsageError("the process of the measurement ended without a word"), None
-    process.join()
-    if error is not None:
-        raise error
-    return result
-
-
-def _answer(answer: Connection, function: Any, arguments: Tuple[Any, ...]) -> None:
-    try:
-        result = function(*arguments)
-    except MrtaError as error:
-        answer.send((error, None))
-    else:
-        answer.send((None, result))
 
 
 def _speed(case: _Case, processes: int) -> _Speed:

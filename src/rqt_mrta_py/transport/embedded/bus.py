@@ -242,6 +242,14 @@ class Bus:
                     if hearing is not None:
                         self._send(publisher.robot, ear.robot, ear.inbox, publisher.last, (hearing,))
 
+    def published(self) -> Dict[str, int]:
+        """Count the messages that were published so far, heard or not, by type, in the order of types."""
+        self._count_up()
+        counts: Dict[str, int] = {}
+        for publisher in self._publishers.values():
+            counts[publisher.connection.type] = counts.get(publisher.connection.type, 0) + publisher.seq
+        return dict(sorted(counts.items()))
+
     def advance(self, now: float) -> None:
         """Take note of the time; nodes call this.
 
