@@ -5,9 +5,12 @@ from __future__ import annotations
 from argparse import ArgumentParser
 from typing import Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple
 
+import numpy as np
 import pytest
+from mrta_alliance.agent import AllianceAgent
 from mrta_alliance.experiments.benchmark import PARTS, add_arguments, measure, options_of
 from mrta_alliance.experiments.completion import measure_completion
+from mrta_alliance.experiments.cost import idle_team, measure_cost
 from mrta_alliance.experiments.heterogeneous import measure_heterogeneous, slowed
 from mrta_alliance.experiments.learning import measure_learning
 from mrta_alliance.experiments.loss import measure_loss
@@ -18,13 +21,14 @@ from mrta_alliance.experiments.shares import measure_shares
 from mrta_alliance.experiments.stops import alone, random_stops
 from mrta_alliance.experiments.takeover import bound_on_takeover, measure_takeover
 
-from rqt_mrta_py.hooks import Experiment, Trial
+from rqt_mrta_py.hooks import AgentSetup, Experiment, IdleTeam, TeamCost, Trial
 from rqt_mrta_py.model import (
     Allocation,
     MissionRecord,
     Outcome,
     RobotRecord,
     ScenarioEventKind,
+    Task,
     TaskInterval,
     TaskRecord,
     TaskState,
@@ -75,6 +79,12 @@ class Bench:
         for experiment in experiments:
             self.asked.append(experiment)
             yield Trial(experiment, self._outcome(experiment))
+
+    def costs(self, teams: Sequence[IdleTeam]) -> Iterator[TeamCost]:
+        """A millisecond a robot and second, and as many messages as there are tasks."""
+        for team in teams:
+            share = len(team.parameters) * team.duration
+            yield TeamCost(team, {"a/B": round(share * len(team.tasks)), "a/C": round(share)}, 0.001 * share)
 
 
 def stopped(experiment: Experiment) -> Dict[str, float]:
@@ -289,6 +299,35 @@ def test_shares_of_perpetual_tasks_stand_side_by_side() -> None:
     assert table.rows[0][:4] == (1, 0.0, 2, "90.0 [90.0, 90.0]")
     assert table.rows[1][3:] == ("50.0 [50.0, 50.0]", "50.0 [50.0, 50.0]")
     assert len(table.rows) == 2
+
+
+def test_cost_is_told_by_robot_and_second_and_as_a_speed() -> None:
+    """A millisecond a robot and second: 3 robots pass 1000 / 3 mission seconds in a second."""
+    report = measure_cost(Options(quick=True), Bench(lambda e: record()))
+    assert [row for table in report.tables for row in table.rows] == [
+        (3, 4, 5.0, 1.0, 333.3),
+        (3, 20, 21.0, 1.0, 333.3),
+    ]
+    (figure,) = report.figures
+    assert figure.name == "alliance_cost"
+    assert [line.label for chart in figure.charts for line in chart.lines] == ["3 robots", "3 robots", "asked for"]
+
+
+def test_costs_are_of_up_to_a_hundred_robots_with_a_hundred_behaviour_sets() -> None:
+    rows = measure_cost(Options(), Bench(lambda e: record())).tables[0].rows
+    assert [row[:2] for row in rows] == [(robots, sets) for robots in (10, 30, 100) for sets in (10, 30, 100)]
+
+
+def test_every_robot_of_an_idle_team_has_a_behaviour_set_for_every_task_and_is_quickest_at_one() -> None:
+    team = idle_team(3, 2, 1.0)
+    tasks = tuple(Task(task, "idle", perpetual=True) for task in team.tasks)
+    quickest = []
+    for robot, parameters in team.parameters.items():
+        setup = AgentSetup(robot, tuple(team.parameters), tasks, parameters, np.random.default_rng(0))
+        sets = AllianceAgent(setup).behaviour_sets
+        assert tuple(sets) == ("task0", "task1")
+        quickest.append(max(sets, key=lambda task: sets[task].fast_rate))
+    assert quickest == ["task0", "task1", "task0"]
 
 
 def test_parts_are_measured_in_their_order_whatever_the_order_of_asking() -> None:

@@ -8,6 +8,7 @@ from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from typing import Dict, List, Tuple
 
 from mrta_alliance.experiments.completion import measure_completion
+from mrta_alliance.experiments.cost import measure_cost
 from mrta_alliance.experiments.heterogeneous import measure_heterogeneous
 from mrta_alliance.experiments.learning import measure_learning
 from mrta_alliance.experiments.loss import measure_loss
@@ -27,6 +28,7 @@ PARTS: Dict[str, Part] = {
     "heterogeneous": Part("teams of which some robots are slow", measure_heterogeneous),
     "learning": Part("against L-ALLIANCE and simple ways to share tasks out", measure_learning),
     "shares": Part("perpetual tasks' shares of the time", measure_shares),
+    "cost": Part("messages and processor time, by robots and behaviour sets", measure_cost),
 }
 """All parts, by name, in the order of measuring."""
 
