@@ -86,7 +86,7 @@ class ModelUpdate:
         """Take in what a message says of its sender."""
         mind = self._mind
         if robot.belief is RobotBelief.FAILED:
-            mind.stirred = True
+            mind.stirred, robot.active = True, mind.now
         robot.heard = mind.now
         if message.position is not None:
             mind.moved |= message.position != robot.position
