@@ -185,7 +185,7 @@ def test_grid_covers_a_floor_that_is_no_multiple_of_the_resolution() -> None:
 def test_grid_blocks_what_is_nearer_than_the_clearance() -> None:
     grid = OccupancyGrid(Arena(0.0, 0.0, 5.0, 5.0), 0.3, 0.2, 0.1)
     turned = Obstacle("box", Pose(2.5, 2.5, math.pi / 2), (2.0, 0.4, 1.0))
-    grid.add_obstacle(turned)
+    grid.add_obstacles((turned,))
     free = {
         (x, y): not grid.known[grid.cell(x, y) or 0]
         for x, y in [(2.25, 3.25), (1.95, 2.55), (2.55, 3.75), (2.55, 3.85)]

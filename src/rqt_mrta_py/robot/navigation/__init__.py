@@ -1,8 +1,9 @@
-"""Ways on a known map.
+"""Ways on the map that a robot knows.
 
 * ``navigator``: GridNavigator, the hooks.Navigator of this project
 * ``grid``: which cells a robot's centre may enter
 * ``search``: shortest ways from cell to cell
+* ``distances``: lengths of shortest ways to one goal
 * ``sight``: straight lines over free cells
 """
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import copy
 import math
-from typing import TYPE_CHECKING, Callable, List, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, Callable, Iterable, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -80,26 +80,11 @@ class OccupancyGrid:
         """Give a grid of the same floor that changes for itself; what neither changes is held once."""
         return copy.copy(self)
 
-    def add_obstacle(self, obstacle: Obstacle) -> None:
-        """Block what is nearer to a fixed body than the clearance; forgets passing things."""
+    def add_obstacles(self, obstacles: Iterable[Obstacle]) -> None:
+        """Block what is nearer to fixed bodies than the clearance; forgets passing things."""
         self._fixed = self._fixed.copy()
-        length, width = obstacle.size[0], obstacle.size[1]
-        if obstacle.shape == "cylinder":
-            reach = length / 2.0 + self._clearance
-            self._block_disc(self._fixed, obstacle.pose, reach)
-        else:
-            cos, sin = math.cos(obstacle.pose.yaw), math.sin(obstacle.pose.yaw)
-            reach = math.hypot(length, width) / 2.0 + self._clearance
-
-            def covered(dx: NDArray[np.float64], dy: NDArray[np.float64]) -> NDArray[np.bool_]:
-                beyond_x = np.maximum(np.abs(cos * dx + sin * dy) - length / 2.0, 0.0)
-                beyond_y = np.maximum(np.abs(cos * dy - sin * dx) - width / 2.0, 0.0)
-                return np.asarray(
-                    (beyond_x**2 + beyond_y**2 < self._clearance**2) | ((beyond_x == 0.0) & (beyond_y == 0.0)),
-                    dtype=np.bool_,
-                )
-
-            self._block(self._fixed, obstacle.pose, reach, covered)
+        for obstacle in obstacles:
+            self._block_obstacle(obstacle)
         self._known_cells = self._fixed.tobytes()
         self._all_cells = self._known_cells
 
@@ -154,6 +139,25 @@ class OccupancyGrid:
                     if found[0] <= reach and (best is None or found < best):
                         best = found
         return best[1] if best else None
+
+    def _block_obstacle(self, obstacle: Obstacle) -> None:
+        length, width = obstacle.size[0], obstacle.size[1]
+        if obstacle.shape == "cylinder":
+            reach = length / 2.0 + self._clearance
+            self._block_disc(self._fixed, obstacle.pose, reach)
+        else:
+            cos, sin = math.cos(obstacle.pose.yaw), math.sin(obstacle.pose.yaw)
+            reach = math.hypot(length, width) / 2.0 + self._clearance
+
+            def covered(dx: NDArray[np.float64], dy: NDArray[np.float64]) -> NDArray[np.bool_]:
+                beyond_x = np.maximum(np.abs(cos * dx + sin * dy) - length / 2.0, 0.0)
+                beyond_y = np.maximum(np.abs(cos * dy - sin * dx) - width / 2.0, 0.0)
+                return np.asarray(
+                    (beyond_x**2 + beyond_y**2 < self._clearance**2) | ((beyond_x == 0.0) & (beyond_y == 0.0)),
+                    dtype=np.bool_,
+                )
+
+            self._block(self._fixed, obstacle.pose, reach, covered)
 
     def _block_disc(self, cells: NDArray[np.bool_], centre: Pose, reach: float) -> None:
         self._block(cells, centre, reach, lambda dx, dy: dx * dx + dy * dy < reach * reach)

@@ -8,8 +8,9 @@ from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import CostField
 from rqt_mrta_py.model import Arena, Obstacle, Pose
+from rqt_mrta_py.robot.navigation.distances import Distances
 from rqt_mrta_py.robot.navigation.grid import OccupancyGrid
-from rqt_mrta_py.robot.navigation.search import distances, shortest_way
+from rqt_mrta_py.robot.navigation.search import shortest_way
 from rqt_mrta_py.robot.navigation.sight import pull_straight
 
 __all__ = ["GridNavigator"]
@@ -57,17 +58,28 @@ class GridNavigator:
                 raise ValueError(f"a {name} of {value!r} m; it must be a finite number, 0 or above")
         self._reach = radius + margin + 0.5 if reach is None else reach
         known = _known_map(arena, tuple(obstacles), radius + margin, radius, resolution)
+        self._floor = known.floor
         self._grid = known.grid.fork()
         self._fields = known.fields
 
     def add_obstacle(self, obstacle: Obstacle) -> None:
         """Put another fixed body on the map; passing obstacles are forgotten until the next ``observe``."""
-        self._grid.add_obstacle(obstacle)
+        self._grid.add_obstacles((obstacle,))
         self._fields = {}
 
     def observe(self, obstacles: Sequence[Tuple[Pose, float]]) -> None:
         """Replace the passing obstacles: centre in the frame ``map`` and radius [m] of each."""
         self._grid.set_passing(obstacles)
+
+    def replace_obstacles(self, obstacles: Sequence[Obstacle]) -> None:
+        """Put these fixed bodies on the map in place of all that were there; passing obstacles are forgotten.
+
+        Lengths of ways that stay as they were are not computed again.
+        """
+        self._grid = self._floor.fork()
+        self._grid.add_obstacles(obstacles)
+        known = self._grid.known
+        self._fields = {cell: field.on(known) for cell, field in self._fields.items() if not known[cell]}
 
     def path(self, start: Pose, goal: Pose) -> Optional[Tuple[Pose, ...]]:
         """Find a shortest way; see hooks.Navigator."""
@@ -89,10 +101,10 @@ class GridNavigator:
     def cost_field(self, goal: Pose) -> CostField:
         """Compute the length of the shortest way over the cells from everywhere at once; see hooks.Navigator."""
         cell = self._grid.nearest_free(goal.x, goal.y, self._reach, self._grid.known)
-        lengths: Sequence[float] = ()
+        lengths: Optional[Distances] = None
         if cell is not None:
             if cell not in self._fields:
-                self._fields[cell] = distances(self._grid.known, self._grid.width, cell)
+                self._fields[cell] = Distances(self._grid.known, self._grid.width, cell)
             lengths = self._fields[cell]
         return _GridCostField(self._grid, self._grid.known, lengths, self._reach)
 
@@ -107,7 +119,7 @@ class GridNavigator:
 class _GridCostField:
     """Lengths by cell, as the map was when they were computed."""
 
-    def __init__(self, grid: OccupancyGrid, known: bytes, lengths: Sequence[float], reach: float) -> None:
+    def __init__(self, grid: OccupancyGrid, known: bytes, lengths: Optional[Distances], reach: float) -> None:
         self._grid = grid
         self._known = known
         self._lengths = lengths
@@ -115,17 +127,22 @@ class _GridCostField:
 
     def at(self, place: Pose) -> Optional[float]:
         """Give the length of the shortest way from a place to the goal [m]; None if there is none."""
-        cell = self._grid.nearest_free(place.x, place.y, self._reach, self._known) if self._lengths else None
-        if cell is None or math.isinf(self._lengths[cell]):
+        if self._lengths is None:
             return None
-        return self._lengths[cell] * self._grid.resolution
+        cell = self._grid.nearest_free(place.x, place.y, self._reach, self._known)
+        length = math.inf if cell is None else self._lengths.to(cell)
+        return None if math.isinf(length) else length * self._grid.resolution
 
 
 class _KnownMap(NamedTuple):
-    """What is known for good, not to be changed, and lengths by cell for each goal's cell asked for so far."""
+    """What is known for good, not to be changed: the bare floor, and with what stands on it.
 
+    With lengths by goal's cell, of each goal that was asked for so far.
+    """
+
+    floor: OccupancyGrid
     grid: OccupancyGrid
-    fields: Dict[int, Sequence[float]]
+    fields: Dict[int, Distances]
 
 
 # A team of thousands knows one map; another one is that of a kind of robot of another size.
@@ -133,10 +150,10 @@ class _KnownMap(NamedTuple):
 def _known_map(
     arena: Arena, obstacles: Tuple[Obstacle, ...], clearance: float, passing_clearance: float, resolution: float
 ) -> _KnownMap:
-    grid = OccupancyGrid(arena, clearance, passing_clearance, resolution)
-    for obstacle in obstacles:
-        grid.add_obstacle(obstacle)
-    return _KnownMap(grid, {})
+    floor = OccupancyGrid(arena, clearance, passing_clearance, resolution)
+    grid = floor.fork()
+    grid.add_obstacles(obstacles)
+    return _KnownMap(floor, grid, {})
 
 
 def _with_headings(points: Sequence[Tuple[float, float]], last_yaw: float) -> Tuple[Pose, ...]:

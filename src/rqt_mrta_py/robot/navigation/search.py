@@ -11,7 +11,7 @@ import heapq
 import math
 from typing import Dict, List, Optional, Tuple
 
-__all__ = ["distances", "shortest_way"]
+__all__ = ["shortest_way", "steps_in_cells"]
 
 _DIAGONAL = math.sqrt(2.0)
 
@@ -41,7 +41,7 @@ def shortest_way(blocked: bytes, width: int, start: int, goal: int) -> Optional[
     came_from: Dict[int, int] = {}
     closed = bytearray(len(blocked))
     open_cells: List[Tuple[float, int]] = [(estimate(start), start)]
-    neighbours = _neighbours(width)
+    neighbours = steps_in_cells(width)
     pop, push, infinity = heapq.heappop, heapq.heappush, math.inf
     while open_cells:
         cell = pop(open_cells)[1]
@@ -63,39 +63,7 @@ def shortest_way(blocked: bytes, width: int, start: int, goal: int) -> Optional[
     return None
 
 
-def distances(blocked: bytes, width: int, goal: int) -> List[float]:
-    """Compute the length of the shortest way from every cell to one free cell by Dijkstra's algorithm.
-
-    Args:
-        blocked: one byte a cell, row by row; anything but 0 blocks.
-        width: cells in a row.
-        goal: a free cell.
-
-    Returns:
-        Lengths by cell, in cells; infinity where there is no way.
-    """
-    lengths = [math.inf] * len(blocked)
-    lengths[goal] = 0.0
-    queue: List[Tuple[float, int]] = [(0.0, goal)]
-    neighbours = _neighbours(width)
-    pop, push = heapq.heappop, heapq.heappush
-    while queue:
-        here, cell = pop(queue)
-        if here > lengths[cell]:
-            continue
-        for offset, beside_one, beside_other, step in neighbours:
-            neighbour = cell + offset
-            there = here + step
-            if there >= lengths[neighbour]:
-                continue
-            if blocked[neighbour] or blocked[cell + beside_one] or blocked[cell + beside_other]:
-                continue
-            lengths[neighbour] = there
-            push(queue, (there, neighbour))
-    return lengths
-
-
-def _neighbours(width: int) -> Tuple[Tuple[int, int, int, float], ...]:
+def steps_in_cells(width: int) -> Tuple[Tuple[int, int, int, float], ...]:
     """List each step: its offset, the offsets of the cells beside it (of a straight one itself), its cost."""
     straight = tuple((offset, offset, offset, 1.0) for offset in (1, width, -1, -width))
     diagonal = tuple((along + across, along, across, _DIAGONAL) for along in (1, -1) for across in (width, -width))
