@@ -151,6 +151,18 @@ def test_task_that_comes_back_is_a_new_one() -> None:
     assert kinds(script.step(reports=[script.report("t", Progress.APPEARED)])) == [Kind.REQUEST]
 
 
+def test_task_that_came_back_is_not_taken_for_done_because_it_once_was() -> None:
+    script = Script(NEAR).executing()
+    script.step(reports=[script.done("t")])
+    long_ago = script.now
+    script.wait(2.0)
+    script.step(reports=[script.report("t", Progress.APPEARED)])
+    script.step(script.warning("a", "t", "completed", at=long_ago))
+    assert script.state("t") is B.REQUESTED
+    script.step(script.warning("a", "t", "completed", at=script.now))
+    assert script.state("t") is B.COMPLETED
+
+
 def test_what_another_robots_host_reports_counts_like_its_message() -> None:
     script = Script(TWO).executing()
     script.step(reports=[script.report("t", Progress.DONE, "a")])
@@ -196,7 +208,10 @@ def test_order_that_cannot_be_obeyed_is_withdrawn() -> None:
     script = Script(TWO).executing()
     script.applicable["u"] = False
     said = script.step(reports=[script.report("u", Progress.REASSIGNED, ME)])
-    assert [(message.kind, message.task) for message in said][:2] == [(Kind.CANCELLATION, "t"), (Kind.CANCELLATION, "u")]
+    assert [(message.kind, message.task) for message in said][:2] == [
+        (Kind.CANCELLATION, "t"),
+        (Kind.CANCELLATION, "u"),
+    ]
 
 
 def test_operator_who_gives_the_robots_task_to_another_recalls_it() -> None:

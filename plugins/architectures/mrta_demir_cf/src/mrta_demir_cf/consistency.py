@@ -57,7 +57,7 @@ class Consistency:
             state=state.value,
             holder=model.holder if claimed else "",
             cost=model.cost if claimed and math.isfinite(model.cost) else 0.0,
-            map_stamp=max(model.unreachable, 0.0),
+            map_stamp=max(model.unreachable if model.belief is TaskBelief.UNACHIEVABLE else model.since, 0.0),
         )
 
     def answer(self, robot: str, model: TaskModel) -> None:

@@ -34,7 +34,7 @@ class Message(NamedTuple):
         state: of WARNING, what the sender believes.
         holder: of WARNING, who holds the task; empty if nobody.
         place: of NEW_TASK, where it is; None if anywhere.
-        map_stamp: when it was known whether the task can be reached [s].
+        map_stamp: when it was known whether the task can be reached; of WARNING, since when that is believed [s].
     """
 
     kind: Kind

@@ -203,7 +203,8 @@ class ModelUpdate:
         model.claim(message.robot, message.cost, mind.now, ordered=message.ordered)
 
     def _completion(self, message: Message, model: TaskModel) -> None:
-        self._mind.change(model, TaskEvent.COMPLETION_TOLD)
+        if (message.map_stamp if message.kind is Kind.WARNING else message.stamp) >= model.born:
+            self._mind.change(model, TaskEvent.COMPLETION_TOLD)
 
     def _cancellation(self, message: Message, model: TaskModel) -> None:
         if model.belief is TaskBelief.UNCERTAIN or model.holder == message.robot:

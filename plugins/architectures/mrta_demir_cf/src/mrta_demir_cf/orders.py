@@ -62,6 +62,7 @@ def _appear(mind: Mind, report: TaskReport) -> None:
         del mind.tasks[report.task]
     definition = report.definition or mind.definitions.get(report.task)
     model = mind.task(report.task) if definition is None else mind.know(definition)
+    model.born = mind.now
     if model.belief is TaskBelief.UNACHIEVABLE:
         mind.change(model, TaskEvent.TOLD_NEW)
         model.reachable = mind.now

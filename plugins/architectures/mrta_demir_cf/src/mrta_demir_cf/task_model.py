@@ -37,6 +37,7 @@ class TaskModel:
         place: where it is; None if anywhere, or not known.
         perpetual: whether it never ends.
         belief: its state.
+        born: when an operator last let it appear; what was completed before is another [s].
         since: when the state last became another one [s].
         holder: who requests or carries it out, perhaps the robot itself; empty if nobody does, as far as is known.
         cost: the holder's, as last heard or said [m].
@@ -54,6 +55,7 @@ class TaskModel:
     place: Optional[Position] = None
     perpetual: bool = False
     belief: TaskBelief = TaskBelief.INITIAL
+    born: float = -math.inf
     since: float = 0.0
     holder: str = ""
     cost: float = math.inf

@@ -21,6 +21,9 @@ __all__ = ["Mission", "PointTeam", "random_places"]
 
 _PATHS = {wish.topic: wish.fields for wish in SUBSCRIPTIONS}
 
+# Steps add up to a way but for rounding; that must not cost a cycle more [m].
+_TOLERANCE = 1e-9
+
 _START = 1.0
 """When a mission begins; 0 would be no stamp [s]."""
 
@@ -189,7 +192,7 @@ class PointTeam:
         left = math.dist((x, y), (goal_x, goal_y))
         went = min(self._step, left)
         self.mission.paths[robot] += went
-        if left > self._step:
+        if left > self._step + _TOLERANCE:
             share = went / left
             self.places[robot] = (x + share * (goal_x - x), y + share * (goal_y - y))
             return
