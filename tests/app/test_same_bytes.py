@@ -18,7 +18,7 @@ def run(folder: Path, hash_seed: str, seed: str, packages: str = "", processes: 
     """Run the mission in a process of its own and give the digest of each file."""
     folder.mkdir()
     environment = {**os.environ, "PYTHONHASHSEED": hash_seed, "ROS_PACKAGE_PATH": packages}
-    command = [sys.executable, "-m", "rqt_mrta_py", "run", "border_patrol", "--seed", seed, "--duration", "25", "-q"]
+    command = [sys.executable, "-m", "rqt_mrta_py", "run", "border_patrol", "--seed", seed, "--duration", "12", "-q"]
     command += ["--processes", processes]
     subprocess.run([*command, "--out", str(folder / "out")], check=True, cwd=str(folder), env=environment, timeout=300)
     return {name: hashlib.sha256((folder / "out" / name).read_bytes()).hexdigest() for name in FILES}
