@@ -34,20 +34,18 @@ class BeliefsTeller:
     def __init__(self, mind: Mind, period: float) -> None:
         self._mind = mind
         self._period = period
-        self._told: Tuple[Any, ...] = ()
+        self._told = (-1, 0)
         self._told_at = -math.inf
 
     def message(self) -> Tuple[Outgoing, ...]:
         """Give the message that is due now, if one is."""
         mind = self._mind
-        held = mind.tasks[mind.mine] if mind.mine is not None else None
-        executes = held is not None and held.belief is TaskBelief.EXECUTING
-        tasks = {model.id: (model.belief.value, model.holder) for model in mind.tasks.values()}
-        robots = {robot.id: robot.belief.value for robot in mind.robots.values()}
-        told = (tasks, robots, mind.contradictions)
+        told = (mind.changes, mind.contradictions)
         if told == self._told and mind.now - self._told_at < self._period:
             return ()
         self._told, self._told_at = told, mind.now
+        held = mind.tasks[mind.mine] if mind.mine is not None else None
+        executes = held is not None and held.belief is TaskBelief.EXECUTING
         cost = mind.held_cost(held) if held is not None and executes else math.nan
         fields: Dict[str, Any] = {
             "header": {"stamp": mind.now, "frame_id": wire_id(mind.robot_id)},
@@ -55,11 +53,11 @@ class BeliefsTeller:
             "task_id": held.id if held is not None and executes else "",
             "cost": cost,
             "contradictions": mind.contradictions,
-            "task_ids": list(tasks),
-            "states": [state for state, _ in tasks.values()],
-            "holders": [holder for _, holder in tasks.values()],
-            "robot_ids": list(robots),
-            "robot_states": list(robots.values()),
+            "task_ids": list(mind.tasks),
+            "states": [model.belief.value for model in mind.tasks.values()],
+            "holders": [model.holder for model in mind.tasks.values()],
+            "robot_ids": list(mind.robots),
+            "robot_states": [robot.belief.value for robot in mind.robots.values()],
         }
         return (Outgoing(BELIEFS_TOPIC, BELIEFS_TYPE, fields),)
 

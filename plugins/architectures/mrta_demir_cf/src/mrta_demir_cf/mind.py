@@ -37,6 +37,7 @@ class Mind:
         stirred: whether it knows something since it last selected that may change what it wants.
         moved: whether another robot has moved since.
         schedule: places of its rough schedule, as of the last selection [m].
+        changes: how many states of tasks and robots have become another one.
         contradictions: how many changes the tables did not allow.
         now: the time [s].
         position: where it is; None if it does not know.
@@ -59,6 +60,7 @@ class Mind:
         self.stirred = True
         self.moved = False
         self.schedule: Tuple[Position, ...] = ()
+        self.changes = 0
         self.contradictions = 0
         self.now = 0.0
         self.position: Optional[Position] = None
@@ -94,6 +96,7 @@ class Mind:
         if model is None:
             model = self.tasks[task_id] = TaskModel(task_id, since=self.now)
             self.stirred = True
+            self.changes += 1
         return model
 
     def is_present(self, robot_id: str) -> bool:
@@ -148,6 +151,7 @@ class Mind:
             self.auction = None
         if model.belief is not before:
             self.stirred = True
+            self.changes += 1
         return row
 
     def cancel(self, model: TaskModel, event: TaskEvent, reason: CancelReason) -> None:

@@ -54,6 +54,7 @@ class ModelUpdate:
         if robot is None:
             robot = mind.robots[message.robot] = RobotModel(message.robot, since=mind.now, active=mind.now)
             mind.stirred = True
+            mind.changes += 1
         if not robot.is_news(message.task, message.number, message.stamp):
             return
         self._note(robot, message)
@@ -71,15 +72,17 @@ class ModelUpdate:
         mind, told = self._mind, self._mind.told
         for robot in mind.robots.values():
             if mind.now - robot.heard > told.execution_timeout:
-                mind.stirred |= robot.happen(RobotEvent.SILENCE, mind.now)
+                failed = robot.happen(RobotEvent.SILENCE, mind.now)
+                mind.stirred |= failed
+                mind.changes += failed
         for model in mind.tasks.values():
             if not model.is_claimed:
                 continue
             requested = model.belief is TaskBelief.REQUESTED_OTHER and not model.awarded
             patience = told.request_timeout if requested else told.execution_timeout
             holder = mind.robots.get(model.holder)
-            failed = holder is not None and holder.belief is RobotBelief.FAILED
-            if failed or mind.now - model.heard > patience:
+            is_lost = holder is not None and holder.belief is RobotBelief.FAILED
+            if is_lost or mind.now - model.heard > patience:
                 mind.change(model, TaskEvent.SILENCE)
 
     def _note(self, robot: RobotModel, message: Message) -> None:
@@ -100,7 +103,7 @@ class ModelUpdate:
             event = RobotEvent.ENDS
         elif message.kind is Kind.AWARD:
             event = RobotEvent.AWARDS
-        robot.happen(event, mind.now, message.task)
+        mind.changes += robot.happen(event, mind.now, message.task)
 
     def _new_task(self, message: Message, model: TaskModel) -> None:
         mind = self._mind

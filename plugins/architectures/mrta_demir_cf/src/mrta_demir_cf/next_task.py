@@ -71,11 +71,14 @@ def find_next(mind: Mind) -> Optional[Choice]:
 
 
 def _is_open(mind: Mind, model: TaskModel) -> bool:
-    # Tasks for several robots are not this architecture's (SR); one may still appear on line.
-    if not mind.is_applicable(model.id) or mind.definitions[model.id].robots > 1:
+    """Tell whether a task of this robot is one of T_U."""
+    if not (model.is_free or model.id == mind.mine or _is_worth_an_offer(mind, model)):
         return False
-    if model.is_free or model.id == mind.mine:
-        return True
+    # Tasks for several robots are not this architecture's (SR); one may still appear on line.
+    return mind.definitions[model.id].robots == 1 and mind.is_applicable(model.id)
+
+
+def _is_worth_an_offer(mind: Mind, model: TaskModel) -> bool:
     offers = mind.told.exchange and mind.mine is None and model.belief is TaskBelief.EXECUTING_OTHER
     if not offers or model.ordered or mind.now < model.offered + mind.told.execution_timeout:
         return False
