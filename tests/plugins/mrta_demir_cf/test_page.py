@@ -13,7 +13,7 @@ from mrta_demir_cf.robot_states import ROBOT_ROWS
 from mrta_demir_cf.task_states import TASK_ROWS, TaskBelief
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def page(root: Path) -> str:
     return (root / "docs/architectures/demir_cf.md").read_text(encoding="utf-8")
 
