@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import Any, Mapping, Sequence
 
 from mrta_demir_cf.agent import DemirCfAgent
+from mrta_demir_cf.experiments.benchmark import add_arguments, measure
 from mrta_demir_cf.interpreter import DemirCfInterpreter
 from mrta_demir_cf.panel import CostPanel
 from mrta_demir_cf.parameters import find_problems
 from rqt_mrta_py.hooks import (
     AgentFactory,
     AllocationInterpreterFactory,
+    Benchmark,
     MonitorPanelFactory,
     ParameterProblem,
     hookimpl,
@@ -20,6 +22,7 @@ __all__ = [
     "mrta_check_parameters",
     "mrta_register_agents",
     "mrta_register_allocation_interpreters",
+    "mrta_register_benchmarks",
     "mrta_register_monitor_panels",
 ]
 
@@ -36,6 +39,13 @@ def mrta_register_agents() -> Mapping[str, AgentFactory]:
 def mrta_register_allocation_interpreters() -> Mapping[str, AllocationInterpreterFactory]:
     """Name who reads what robots say to one another."""
     return {_ARCHITECTURE: DemirCfInterpreter}
+
+
+@hookimpl
+def mrta_register_benchmarks() -> Mapping[str, Benchmark]:
+    """Name the experiments."""
+    about = "DEMiR-CF: team sizes, messages and robots lost, targets that turn up on the way"
+    return {"demir_cf": Benchmark(about, add_arguments, measure)}
 
 
 @hookimpl

@@ -1,5 +1,8 @@
-"""Experiments with DEMiR-CF.
+"""Experiments with DEMiR-CF: what ``mrta bench demir_cf`` measures.
 
+* ``benchmark``: parts, options, and the report they make together; ``part``: what a part is told and gives
+* ``team_size``, ``contingency``, ``failure``, ``online``: the parts
+* ``points``: random missions on message level, and how they are shown
 * ``point_team``: agents that move as points and hear one another over a radio that loses messages
 """
 

@@ -86,6 +86,7 @@ class PointTeam:
         loss: which share of messages does not reach a receiver [1].
         speed: of every robot [m/s].
         parameters: of every agent; ``rate`` sets the cycle.
+        later: ids of targets that are not there until they appear.
     """
 
     def __init__(
@@ -97,6 +98,7 @@ class PointTeam:
         loss: float = 0.0,
         speed: float = 0.1,
         parameters: Optional[Mapping[str, Any]] = None,
+        later: Sequence[str] = (),
     ) -> None:
         given: Dict[str, Any] = {"rate": 2.0, "speed": speed, **(parameters or {})}
         tasks = tuple(Task(name, "visit", Pose(x, y)) for name, (x, y) in targets.items())
@@ -109,14 +111,19 @@ class PointTeam:
         self.carried_out: Dict[str, Optional[str]] = dict.fromkeys(robots)
         for number, robot in enumerate(robots):
             chance = np.random.default_rng([seed, number])
-            self.agents[robot] = DemirCfAgent(AgentSetup(robot, tuple(robots), tasks, given, chance))
+            present = tuple(task for task in tasks if task.id not in later)
+            missing = tuple(task for task in tasks if task.id in later)
+            setup = AgentSetup(robot, tuple(robots), present, given, chance, later_tasks=missing)
+            self.agents[robot] = DemirCfAgent(setup)
         self._random = np.random.default_rng(seed)
         self._cycle = 1.0 / float(given["rate"])
         self._step = speed * self._cycle
         self._cycles = 0
         self._on_air: List[Tuple[str, Outgoing]] = []
         self._reports: Dict[str, List[TaskReport]] = {robot: [] for robot in robots}
-        self._applicable: Dict[str, Dict[str, bool]] = {robot: dict.fromkeys(targets, True) for robot in robots}
+        self._applicable: Dict[str, Dict[str, bool]] = {
+            robot: {target: target not in later for target in targets} for robot in robots
+        }
 
     @property
     def now(self) -> float:
@@ -132,6 +139,12 @@ class PointTeam:
         """Let hosts report something in the next cycle, to some robots or to all."""
         for robot in self._reports if robots is None else robots:
             self._reports[robot].append(report)
+
+    def appear(self, target: str) -> None:
+        """Let a target turn up; all robots are told in the next cycle."""
+        for robot, applicable in self._applicable.items():
+            self._applicable[robot] = {**applicable, target: True}
+        self.tell(TaskReport(target, Progress.APPEARED))
 
     def step(self) -> None:
         """Go through one cycle."""
