@@ -1,4 +1,4 @@
-"""A mission with part of its team, or in another world."""
+"""A mission with part of its team, in another world, or with a map that is known or not."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ import dataclasses
 from typing import Collection, FrozenSet, Optional, Sequence
 
 from rqt_mrta_py.errors import UsageError
-from rqt_mrta_py.model import Mission, ScenarioEvent, ScenarioEventKind
+from rqt_mrta_py.model import MAPPED_TOPICS, MapKnowledge, Mission, ScenarioEvent, ScenarioEventKind
 
-__all__ = ["first_robots", "in_world", "with_robots"]
+__all__ = ["first_robots", "in_world", "with_map", "with_robots"]
 
 
 def with_robots(mission: Mission, robot_ids: Sequence[str]) -> Mission:
@@ -80,6 +80,30 @@ def in_world(mission: Mission, world: Optional[str], worlds: Collection[str]) ->
     if world not in worlds:
         raise UsageError(f"--world {world}: there is no such world; there are: {', '.join(sorted(worlds))}")
     return dataclasses.replace(mission, scenario=dataclasses.replace(mission.scenario, world=world))
+
+
+def with_map(mission: Mission, knowledge: Optional[MapKnowledge]) -> Mission:
+    """Let all robots know the map from the start, or none.
+
+    Args:
+        mission: the whole.
+        knowledge: of the map; None for what the scenario says of each robot.
+
+    Raises:
+        UsageError: a robot that shall map has not the sensors for it.
+    """
+    if knowledge is None or mission.scenario is None:
+        return mission
+    for robot in mission.scenario.robots if knowledge is MapKnowledge.UNKNOWN else ():
+        missing = [topic for topic in MAPPED_TOPICS if all(sensor.topic != topic for sensor in robot.sensors)]
+        if missing:
+            raise UsageError(
+                f"--map {knowledge.value}: {robot.id} has no sensor on the topic {' nor on '.join(missing)}, by which "
+                f"it could map; give it sensors on {' and '.join(MAPPED_TOPICS)}, or let the map be "
+                f"{MapKnowledge.KNOWN.value}"
+            )
+    robots = tuple(dataclasses.replace(robot, map=knowledge) for robot in mission.scenario.robots)
+    return dataclasses.replace(mission, scenario=dataclasses.replace(mission.scenario, robots=robots))
 
 
 def _without_strangers(event: ScenarioEvent, kept: FrozenSet[str]) -> ScenarioEvent:

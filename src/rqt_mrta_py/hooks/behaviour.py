@@ -43,12 +43,15 @@ class BehaviourSetup:
         model: what the robot is like.
         navigator: finds ways on the map known to the robot.
         random: this robot's own generator.
+        map_revision: counts how often the map that the navigator plans on has changed, up to now; None: it is known
+            from the start and stays.
     """
 
     robot_id: str
     model: RobotModel
     navigator: Navigator
     random: np.random.Generator
+    map_revision: Optional[Callable[[], int]] = None
 
 
 @dataclass(frozen=True)

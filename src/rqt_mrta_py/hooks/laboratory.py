@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, Iterator, Mapping, Optional, Protocol, Sequence, Tuple
 
-from rqt_mrta_py.model import MissionRecord, RadioSetup, ScenarioEvent
+from rqt_mrta_py.model import MapKnowledge, MissionRecord, RadioSetup, ScenarioEvent
 
 __all__ = ["Experiment", "IdleTeam", "Laboratory", "TeamCost", "Trial"]
 
@@ -26,6 +26,7 @@ class Experiment:
         events: instead of the scenario's.
         radio: instead of the scenario's.
         tasks: ids of those that the mission has; the others are left out.
+        map: whether robots know it from the start.
     """
 
     application: str
@@ -38,6 +39,7 @@ class Experiment:
     events: Optional[Tuple[ScenarioEvent, ...]] = None
     radio: Optional[RadioSetup] = None
     tasks: Optional[Tuple[str, ...]] = None
+    map: Optional[MapKnowledge] = None
 
 
 @dataclass(frozen=True)

@@ -51,15 +51,21 @@ class Navigator(Protocol):
 class PlannerSetup:
     """What a planner is made from: the map as one robot knows it.
 
+    For a robot that knows the map from the start a planner is made once. For one that maps what it sees, another one
+    is made, at most once a second, when it was asked for something and the map has changed.
+
     Attributes:
         arena: floor and walls.
-        obstacles: fixed bodies.
+        obstacles: fixed bodies that the robot knows of: those of the scenario, or boxes over what it has met so far.
         radius: of the circle around the robot [m].
+        previous: the planner that this one replaces, which is not asked any more and may be changed and given back;
+            None for the first.
     """
 
     arena: Arena
     obstacles: Tuple[Obstacle, ...]
     radius: float
+    previous: Optional[Navigator] = None
 
 
 PlannerFactory = Callable[[PlannerSetup], Navigator]

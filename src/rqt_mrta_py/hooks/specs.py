@@ -116,7 +116,8 @@ class HookSpecs:
     def mrta_register_planners(self) -> Mapping[str, PlannerFactory]:  # type: ignore[empty-body]
         """Name what robots find their ways with.
 
-        Called: once, before a run or a live agent starts; each factory once for each robot that uses it.
+        Called: once, before a run or a live agent starts; each factory once for each robot that uses it, and again,
+            with the planner before it, as the map of a robot changes that maps what it sees.
         Returns: factory by the name that scenarios use.
         Combined: joined; the first registration of a name wins.
         An exception: stops the command; one raised while planning stops the run.

@@ -39,8 +39,10 @@ from rqt_mrta_py.model.record import (
     TaskRecord,
 )
 from rqt_mrta_py.model.scenario import (
+    MAPPED_TOPICS,
     Arena,
     LooseBody,
+    MapKnowledge,
     Obstacle,
     RadioSetup,
     RobotSetup,
@@ -54,6 +56,7 @@ from rqt_mrta_py.model.task import Task
 from rqt_mrta_py.model.taxonomy import AllocationType, RobotType, TaskType, Taxonomy
 
 __all__ = [
+    "MAPPED_TOPICS",
     "ROBOT_TOKEN",
     "TASK_TOKEN",
     "Allocation",
@@ -71,6 +74,7 @@ __all__ = [
     "LaunchArgument",
     "LaunchTemplate",
     "LooseBody",
+    "MapKnowledge",
     "MapTemplate",
     "Mission",
     "MissionRecord",

@@ -9,8 +9,10 @@ from typing import Any, Mapping, Optional, Tuple
 from rqt_mrta_py.model.geometry import Pose
 
 __all__ = [
+    "MAPPED_TOPICS",
     "Arena",
     "LooseBody",
+    "MapKnowledge",
     "Obstacle",
     "RadioSetup",
     "RobotSetup",
@@ -91,6 +93,21 @@ class SensorSetup:
     parameters: Mapping[str, Any] = field(default_factory=dict)
 
 
+class MapKnowledge(Enum):
+    """What a robot knows of the map when it starts.
+
+    * ``known``: the arena and all obstacles.
+    * ``unknown``: the arena only; it maps what its range finder meets, robots too until it sees where they were free.
+    """
+
+    KNOWN = "known"
+    UNKNOWN = "unknown"
+
+
+MAPPED_TOPICS = ("pose", "scan")
+"""What a robot hears that maps, in its own namespace."""
+
+
 @dataclass(frozen=True)
 class RobotSetup:
     """One simulated robot.
@@ -101,6 +118,7 @@ class RobotSetup:
         start: start pose in the frame ``map``.
         sensors: in file order.
         capabilities: what it can do, beyond its model's.
+        map: what it knows of the map when it starts.
     """
 
     id: str
@@ -108,6 +126,7 @@ class RobotSetup:
     start: Pose
     sensors: Tuple[SensorSetup, ...] = ()
     capabilities: Tuple[str, ...] = ()
+    map: MapKnowledge = MapKnowledge.KNOWN
 
 
 @dataclass(frozen=True)

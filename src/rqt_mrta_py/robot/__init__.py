@@ -1,4 +1,4 @@
-"""What stands on a robot: the host of its agent, what it hears, the running behaviour, ways on the known map.
+"""What stands on a robot: the host of its agent, what it hears, the running behaviour, its map and ways on it.
 
 * ``host``: joins agent, behaviours and messages, one control tick at a time; does no I/O
 * ``cycle``: at which ticks the agent is stepped
@@ -12,6 +12,7 @@
 * ``commands``: a behaviour's commands as messages
 * ``notices``: task progress and log lines as messages
 * ``navigation``: the Navigator on an occupancy grid
+* ``mapping``: maps that robots make of what they see, and ways on them
 * ``plugin``: registers the planner
 """
 
@@ -19,6 +20,7 @@ from __future__ import annotations
 
 from rqt_mrta_py.robot.host import HostSetup, RobotHost
 from rqt_mrta_py.robot.layers import told_layers
+from rqt_mrta_py.robot.mapping import LearningNavigator, Mapper
 from rqt_mrta_py.robot.navigation import GridNavigator
 
-__all__ = ["GridNavigator", "HostSetup", "RobotHost", "told_layers"]
+__all__ = ["GridNavigator", "HostSetup", "LearningNavigator", "Mapper", "RobotHost", "told_layers"]

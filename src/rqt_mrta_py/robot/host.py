@@ -14,6 +14,7 @@ from rqt_mrta_py.robot.charges import Charge, Charges, listed
 from rqt_mrta_py.robot.commands import Commander
 from rqt_mrta_py.robot.cycle import Cycle
 from rqt_mrta_py.robot.hearing import HeardBy, behaviours_listeners, wishes
+from rqt_mrta_py.robot.mapping import Mapper
 from rqt_mrta_py.robot.notices import PROGRESS, log_message, progress_message
 from rqt_mrta_py.robot.perception import BehaviourPerception, Senses
 from rqt_mrta_py.robot.reports import Reports
@@ -37,6 +38,7 @@ class HostSetup:
         later_tasks: that this robot may carry out once they appear.
         capabilities: what the robot can do; None: not checked.
         others_tasks: ids of the mission's tasks that this robot may not carry out, present and later ones.
+        mapper: makes the robot's own map of what it hears; None if it knows the map.
     """
 
     robot_id: str
@@ -47,6 +49,7 @@ class HostSetup:
     later_tasks: Tuple[Task, ...] = ()
     capabilities: Optional[FrozenSet[str]] = None
     others_tasks: FrozenSet[str] = frozenset()
+    mapper: Optional[Mapper] = None
 
 
 class RobotHost:
@@ -181,6 +184,8 @@ class RobotHost:
         listeners.append((PROGRESS, self._hear_progress))
         asked_for = wishes(self._asking, self._agent_name, setup.agent.subscriptions)
         listeners.extend((wish, self._hear_for_agent) for wish in asked_for)
+        if setup.mapper is not None:
+            listeners.extend((wish, self._senses.while_awake(hear)) for wish, hear in setup.mapper.listeners())
         return tuple(listeners)
 
     def _hear_progress(self, heard: Heard) -> None:

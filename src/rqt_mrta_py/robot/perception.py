@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from operator import itemgetter
-from typing import Dict, List, Optional
+from typing import Callable, Dict, List, Optional
 
 from rqt_mrta_py.hooks import Heard, Subscription
 from rqt_mrta_py.model import Pose
@@ -40,6 +40,15 @@ class Senses:
         self.awake = True
         self.now = 0.0
         self.pose: Optional[Pose] = None
+
+    def while_awake(self, hear: Callable[[Heard], None]) -> Callable[[Heard], None]:
+        """Let somebody hear as long as the robot does."""
+
+        def listen(heard: Heard) -> None:
+            if self.awake:
+                hear(heard)
+
+        return listen
 
     def hear_pose(self, heard: Heard) -> None:
         """Take in a pose; one that is not finite is not believed."""

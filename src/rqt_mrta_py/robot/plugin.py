@@ -18,4 +18,7 @@ def mrta_register_planners() -> Mapping[str, PlannerFactory]:
 def _astar(setup: PlannerSetup) -> Navigator:
     from rqt_mrta_py.robot.navigation import GridNavigator
 
+    if isinstance(setup.previous, GridNavigator):
+        setup.previous.replace_obstacles(setup.obstacles)
+        return setup.previous
     return GridNavigator(setup.arena, setup.obstacles, radius=setup.radius)

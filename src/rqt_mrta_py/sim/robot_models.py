@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rqt_mrta_py.hooks import RobotModel
 
-__all__ = ["CARRIER", "DIFF_DRIVE", "OMNI_DRIVE", "STRONG_CARRIER"]
+__all__ = ["CARRIER", "DIFF_DRIVE", "OMNI_DRIVE", "SMALL_DIFF_DRIVE", "STRONG_CARRIER"]
 
 DIFF_DRIVE = RobotModel(
     name="diff_drive",
@@ -26,6 +26,24 @@ DIFF_DRIVE = RobotModel(
     capabilities=frozenset({"drive", "range"}),
 )
 """A small robot on two driven wheels and two casters."""
+
+SMALL_DIFF_DRIVE = RobotModel(
+    name="small_diff_drive",
+    drive="differential",
+    length=0.14,
+    width=0.10,
+    height=0.10,
+    # Over the corners of the body; the wheels' outer sides lie 0.085 m from the centre.
+    radius=0.09,
+    mass=0.8,
+    wheel_radius=0.025,
+    track=0.12,
+    max_speed=0.25,
+    max_turn_rate=2.5,
+    sensor_height=0.08,
+    capabilities=frozenset({"drive", "range"}),
+)
+"""A table-top robot on two driven wheels and two casters."""
 
 OMNI_DRIVE = RobotModel(
     name="omni_drive",

@@ -6,7 +6,7 @@ import dataclasses
 from typing import Dict, List, Optional, Sequence, Tuple
 
 from rqt_mrta_py.app.compose import Host
-from rqt_mrta_py.app.selection import first_robots, in_world
+from rqt_mrta_py.app.selection import first_robots, in_world, with_map
 from rqt_mrta_py.config.loading import load_team
 from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.config.scenario.event_order import appearing_tasks
@@ -59,6 +59,7 @@ class ExperimentMissions:
         mission = _with_tasks(mission, scenario, order, experiment.tasks)
         worlds = self.host.manager.registered("mrta_register_worlds")
         mission = in_world(first_robots(mission, experiment.robots), experiment.world, worlds)
+        mission = with_map(mission, experiment.map)
         return mission, scenario.duration if experiment.duration is None else experiment.duration
 
     def _load(self, experiment: Experiment) -> Tuple[Mission, Tuple[str, ...]]:

@@ -20,6 +20,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--robots", metavar="N", type=_count, help="only the first N of the application's robots")
     parser.add_argument("--world", metavar="W", help="where to simulate (default: the scenario's)")
     parser.add_argument(
+        "--map",
+        choices=("known", "unknown"),
+        help="whether robots know the obstacles from the start, or map what they see (default: the scenario's)",
+    )
+    parser.add_argument(
         "--set",
         metavar="PATH=VALUE",
         dest="overrides",
@@ -41,6 +46,7 @@ def main(options: argparse.Namespace) -> int:
     """Run the mission."""
     from rqt_mrta_py.app.compose import compose
     from rqt_mrta_py.app.run.mission import RunRequest, run_mission
+    from rqt_mrta_py.model import MapKnowledge
 
     host = compose()
     complain_about(host.problems)
@@ -51,6 +57,7 @@ def main(options: argparse.Namespace) -> int:
         duration=options.duration,
         robots=options.robots,
         world=options.world,
+        map=None if options.map is None else MapKnowledge(options.map),
         overrides=tuple(options.overrides),
         out=options.out,
         force=options.force,

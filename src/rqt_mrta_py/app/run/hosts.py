@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Dict, List, Mapping, Sequence
+from typing import Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.app.guard import GuardedNavigator, guarded_allocators, guarded_evaluators, guarded_robot_sensors, made
 from rqt_mrta_py.app.run.chance import Purpose, generator
@@ -16,14 +16,15 @@ from rqt_mrta_py.hooks import (
     Behaviour,
     BehaviourFactory,
     BehaviourSetup,
+    Navigator,
     PlannerFactory,
     PlannerSetup,
     RobotSensorFactory,
     SensoryEvaluatorFactory,
 )
 from rqt_mrta_py.hooks.manager import PluginManager
-from rqt_mrta_py.model import Mission, Task
-from rqt_mrta_py.robot import HostSetup, RobotHost
+from rqt_mrta_py.model import MapKnowledge, Mission, Task
+from rqt_mrta_py.robot import HostSetup, LearningNavigator, Mapper, RobotHost
 from rqt_mrta_py.sim import Simulation
 
 __all__ = ["HostMaker"]
@@ -52,6 +53,7 @@ class HostMaker:
         self._seed = seed
         self._scenario = simulation.scenario
         self._models = {name: robot.model for name, robot in simulation.robots.items()}
+        self._maps = {robot.id: robot.map for robot in simulation.scenario.robots}
         self._own_capabilities = {robot.id: robot.capabilities for robot in simulation.scenario.robots}
         self._team = tuple(robot.id for robot in mission.application.robots)
         self._tasks = frozenset(task.id for task in (*mission.tasks, *mission.later_tasks))
@@ -75,7 +77,9 @@ class HostMaker:
         """
         tasks, later_tasks = self._mission.tasks_of(robot_id), self._mission.later_tasks_of(robot_id)
         every_task = (*tasks, *later_tasks)
-        behaviours = self._make_behaviours(robot_id, every_task)
+        knows = self._maps[robot_id] is MapKnowledge.KNOWN
+        mapper = None if knows else Mapper(self._scenario.arena)
+        behaviours = self._make_behaviours(robot_id, every_task, mapper)
         agent_setup = AgentSetup(
             robot_id=robot_id,
             team=self._team,
@@ -99,28 +103,45 @@ class HostMaker:
                 later_tasks=later_tasks,
                 capabilities=self._models[robot_id].capabilities.union(self._own_capabilities[robot_id]),
                 others_tasks=self._tasks.difference(task.id for task in every_task),
+                mapper=mapper,
             )
         )
 
-    def _make_behaviours(self, robot_id: str, tasks: Sequence[Task]) -> Dict[str, Behaviour]:
+    def _make_behaviours(self, robot_id: str, tasks: Sequence[Task], mapper: Optional[Mapper]) -> Dict[str, Behaviour]:
         """Make one robot's behaviours, one for each kind of task or layer, round one navigator."""
         for task in tasks:
             missing = missing_behaviour(task, self._behaviours)
             for message in (*(() if missing is None else (missing,)), *missing_layers(task, self._behaviours)):
                 raise RobotError(f"{robot_id}: task {task.id!r}: {message}")
-        model, scenario = self._models[robot_id], self._scenario
-        who = f"{robot_id}: planner {scenario.planner}"
-        planner_setup = PlannerSetup(scenario.arena, scenario.obstacles, model.radius)
+        model = self._models[robot_id]
+        navigator, map_revision = self._navigator(robot_id, model.radius, mapper)
         setup = BehaviourSetup(
             robot_id=robot_id,
             model=model,
-            navigator=GuardedNavigator(who, made(who, self._planner, planner_setup, *_PLANNER)),
+            navigator=navigator,
             random=generator(self._seed, robot_id, Purpose.BEHAVIOUR),
+            map_revision=map_revision,
         )
         kinds: List[str] = sorted({kind for task in tasks for kind in (task.kind, *task.layers)})
         return {
             kind: made(f"{robot_id}: behaviour {kind!r}", self._behaviours[kind], setup, *_BEHAVIOUR) for kind in kinds
         }
+
+    def _navigator(
+        self, robot_id: str, radius: float, mapper: Optional[Mapper]
+    ) -> Tuple[Navigator, Optional[Callable[[], int]]]:
+        """Make one robot's navigator; of one that maps, also what counts the changes of its map."""
+        scenario = self._scenario
+        who = f"{robot_id}: planner {scenario.planner}"
+
+        def make(setup: PlannerSetup) -> Navigator:
+            planner: Navigator = made(who, self._planner, setup, *_PLANNER)
+            return planner
+
+        if mapper is None:
+            return GuardedNavigator(who, make(PlannerSetup(scenario.arena, scenario.obstacles, radius))), None
+        learning = LearningNavigator(make, PlannerSetup(scenario.arena, (), radius), mapper.map, lambda: mapper.now)
+        return GuardedNavigator(who, learning), learning.revision
 
 
 def _planner(name: str, factories: Mapping[str, PlannerFactory]) -> PlannerFactory:

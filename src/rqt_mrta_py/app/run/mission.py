@@ -20,10 +20,10 @@ from rqt_mrta_py.app.run.collector import rare_collections
 from rqt_mrta_py.app.run.embedded import EmbeddedRun
 from rqt_mrta_py.app.run.watch import WatchPlan
 from rqt_mrta_py.app.run.watch_process import open_watcher
-from rqt_mrta_py.app.selection import first_robots, in_world
+from rqt_mrta_py.app.selection import first_robots, in_world, with_map
 from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.errors import UsageError
-from rqt_mrta_py.model import Mission, ScenarioSpec
+from rqt_mrta_py.model import MapKnowledge, Mission, ScenarioSpec
 
 __all__ = ["RunRequest", "run_mission"]
 
@@ -39,6 +39,7 @@ class RunRequest:
         duration: of the mission [s]; None for the scenario's.
         robots: how many of the application's robots; None for all.
         world: where to simulate; None for the scenario's.
+        map: whether robots know it from the start; None for what the scenario says of each.
         overrides: ``path=value`` of parameters, each path beginning with a robot's id.
         out: folder for the outputs; None to choose one.
         force: write into a folder that is not empty.
@@ -55,6 +56,7 @@ class RunRequest:
     duration: Optional[float] = None
     robots: Optional[int] = None
     world: Optional[str] = None
+    map: Optional[MapKnowledge] = None
     overrides: Tuple[str, ...] = ()
     out: Optional[Path] = None
     force: bool = False
@@ -142,7 +144,7 @@ def _mission(host: Host, request: RunRequest) -> Tuple[Mission, ScenarioSpec]:
         kinds=host.manager.registered("mrta_register_behaviours"),
     )
     worlds = host.manager.registered("mrta_register_worlds")
-    mission = in_world(first_robots(mission, request.robots), request.world, worlds)
+    mission = with_map(in_world(first_robots(mission, request.robots), request.world, worlds), request.map)
     if mission.scenario is None:
         raise UsageError(
             f"{mission.application.package}: has no scenario, so there is nothing to simulate; "

@@ -28,7 +28,7 @@ from rqt_mrta_py.wording import accepted, shown
 __all__ = ["AddRobot", "RemoveRobot", "RenameRobot", "own_id_parameters", "robot_nodes", "spelled"]
 
 _OWN_ID = ("name", "robot_id", "id")
-_EQUIPMENT = ("model", "sensors", "capabilities")
+_EQUIPMENT = ("model", "sensors", "capabilities", "map")
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ from __future__ import annotations
 from rqt_mrta_py.config.scenario.event_form import EVENT, RADIO
 from rqt_mrta_py.config.yaml.places import PLACE
 from rqt_mrta_py.config.yaml.schema import Key, Table, ValueType
+from rqt_mrta_py.model import MapKnowledge
 
 __all__ = ["ARENA", "BODY", "OBSTACLE", "ROBOT", "ROBOT_DEFAULTS", "SCENARIO_FILE", "SENSOR"]
 
@@ -69,6 +70,13 @@ _EQUIPMENT = (
     Key("model", ValueType.TEXT, "Name under which the robot's model is registered.", default="diff_drive"),
     Key("sensors", ValueType.TABLES, "Its sensors.", default=(), table=SENSOR),
     Key("capabilities", ValueType.TEXTS, "What it can do, beyond its model's.", default=()),
+    Key(
+        "map",
+        ValueType.TEXT,
+        "Whether it knows the obstacles from the start, or maps what its range finder meets on the topic scan.",
+        default=MapKnowledge.KNOWN.value,
+        choices=tuple(each.value for each in MapKnowledge),
+    ),
 )
 
 ROBOT_DEFAULTS = Table("robot_defaults", "What every robot has that does not say otherwise.", _EQUIPMENT)

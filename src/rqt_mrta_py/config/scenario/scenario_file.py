@@ -11,8 +11,10 @@ from rqt_mrta_py.config.yaml.places import PLACE, pose_of
 from rqt_mrta_py.config.yaml.rows import Row, read_document
 from rqt_mrta_py.config.yaml.text import parse_yaml
 from rqt_mrta_py.model import (
+    MAPPED_TOPICS,
     Arena,
     LooseBody,
+    MapKnowledge,
     Obstacle,
     Pose,
     RadioSetup,
@@ -63,6 +65,8 @@ def read_scenario(
         _check_size(row, problems)
     for row in [*([defaults] if defaults is not None else []), *robot_rows]:
         _check_sensors(row, problems)
+    for row in robot_rows:
+        _check_map(row, defaults, problems)
     events = read_events(event_rows, list(names), tasks, problems)
     problems.raise_if_any()
     arena: Dict[str, float] = root.values["arena"].values
@@ -144,6 +148,28 @@ def _check_sensors(row: Row, problems: Problems) -> None:
             problems.add(*sensor.at("topic"), f"must be a name that ROS accepts (got {shown(topic)}), such as scan")
 
 
+def _check_map(row: Row, defaults: Optional[Row], problems: Problems) -> None:
+    """Note a robot that shall map and cannot: for want of a range finder, or because it does not know where it is."""
+    if _equipment(row, defaults, "map") != MapKnowledge.UNKNOWN.value:
+        return
+    sensors: Sequence[Row] = _equipment(row, defaults, "sensors") or ()
+    topics = [sensor.values["topic"] for sensor in sensors]
+    missing = [topic for topic in MAPPED_TOPICS if topic not in topics]
+    if missing and None not in topics:
+        given = row if defaults is None or "map" in row.given else defaults
+        needed = " and ".join(MAPPED_TOPICS)
+        problems.add(
+            *given.at("map"),
+            f"{row.values['id'] or 'the robot'} has no sensor on the topic {' nor on '.join(missing)}, by which it "
+            f"could map; give it sensors on {needed}, or let the map be {MapKnowledge.KNOWN.value}",
+        )
+
+
+def _equipment(row: Row, defaults: Optional[Row], key: str) -> Any:
+    """Give what a robot has: what it says itself, else what all have."""
+    return row.values[key] if defaults is None or key in row.given else defaults.values[key]
+
+
 def _obstacle(row: Row) -> Obstacle:
     return Obstacle(normalise_id(row.values["id"]), _pose(row), _size(row), row.values["shape"])
 
@@ -162,18 +188,16 @@ def _size(row: Row) -> Tuple[float, float, float]:
 
 
 def _robot(row: Row, defaults: Optional[Row]) -> RobotSetup:
-    def value(key: str) -> Any:
-        return row.values[key] if defaults is None or key in row.given else defaults.values[key]
-
     start = pose_of(row.values["start"])
     if start is None:
         raise ValueError(f"{row.element} was read without a start; {PLACE.summary}")
     return RobotSetup(
         id=normalise_id(row.values["id"]),
-        model=value("model"),
+        model=_equipment(row, defaults, "model"),
         start=start,
-        sensors=tuple(_sensor(sensor) for sensor in value("sensors")),
-        capabilities=tuple(value("capabilities")),
+        sensors=tuple(_sensor(sensor) for sensor in _equipment(row, defaults, "sensors")),
+        capabilities=tuple(_equipment(row, defaults, "capabilities")),
+        map=MapKnowledge(_equipment(row, defaults, "map")),
     )
 
 

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Driver", "Steering"]
 
+_MARGIN = 0.1
+_SMALL_MARGIN = 0.55
 _TURN_GAIN = 2.5
 _BRAKING_TIME = 1.0
 _OTHER_SIDE = 0.5
@@ -29,12 +31,13 @@ class Steering:
 
     Args:
         model: what the robot is like.
-        margin: to keep between the robot's circle and what is seen [m].
+        margin: to keep between the robot's circle and what is seen [m]; by default 0.1 m, of small robots less: 0.55 of
+            their radius.
     """
 
-    def __init__(self, model: RobotModel, margin: float = 0.1) -> None:
+    def __init__(self, model: RobotModel, margin: Optional[float] = None) -> None:
         self._model = model
-        self._radius = model.radius + margin
+        self._radius = model.radius + (min(_MARGIN, _SMALL_MARGIN * model.radius) if margin is None else margin)
         self._side = 0
 
     def begin(self) -> None:

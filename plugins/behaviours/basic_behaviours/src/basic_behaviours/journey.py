@@ -16,12 +16,14 @@ from rqt_mrta_py.model import Pose, Twist
 
 __all__ = ["Journey", "JourneySettings", "JourneyState", "JourneyStep"]
 
-_NEXT_POINT = 0.25
-_CUT_CORNER = 0.6
-_LOOK_AHEAD = 0.8
+_NEXT_POINT = (0.25, 1.4)
+_CUT_CORNER = (0.6, 3.2)
+_LOOK_AHEAD = (0.8, 4.3)
+"""At most [m], and in radii of the robot, whichever is less: small robots look at small things."""
 _REPLAN_AFTER = 1.0
 _REPLAN_EVERY = 2.0
 _NEARER = 0.2
+_LOOK_AROUND = 3.0
 
 
 @dataclass(frozen=True)
@@ -66,13 +68,22 @@ class Journey:
     There is no way when the known map has none to within the tolerance of the place, or when the robot has not come
     nearer, along the known map, for as long as patience lasts.
 
+    A robot that maps what it sees plans again whenever its map has changed. Where that map has no way it stands and
+    looks around for 3 s before it says so, for what bars the way may be a robot that passes.
+
     Args:
         setup: whose journey.
     """
 
     def __init__(self, setup: BehaviourSetup) -> None:
         self._navigator = setup.navigator
+        self._map_revision = setup.map_revision
+        self._revision = 0
+        self._no_way_since: Optional[float] = None
         self._driver = Driver(setup.model, setup.random)
+        self._next_point, self._cut_corner, self._look_ahead = (
+            min(length, radii * setup.model.radius) for length, radii in (_NEXT_POINT, _CUT_CORNER, _LOOK_AHEAD)
+        )
         self._place = Pose(0.0, 0.0)
         self._settings = JourneySettings()
         self._field: Optional[CostField] = None
@@ -99,28 +110,52 @@ class Journey:
         self._driver.begin()
         self._field = None
         self._seen.clear()
-        self._barred_since = None
+        self._barred_since = self._no_way_since = None
         self._least_left = math.inf
 
     def step(self, now: float, pose: Pose, sight: Sight) -> JourneyStep:
         """Carry out one control tick."""
         if pose.distance(self._place) <= self._settings.tolerance:
             return JourneyStep(JourneyState.ARRIVED)
-        if self._field is None:
-            problem = self._set_out(now, pose)
-            if problem:
-                return JourneyStep(JourneyState.NO_WAY, detail=problem)
+        problem = self._set_out(now, pose) if self._field is None else self._follow_map(now, pose)
+        if problem:
+            return self._without_way(now, problem)
+        self._no_way_since = None
         if self._out_of_patience(now, pose):
             return JourneyStep(JourneyState.NO_WAY, detail=f"came no nearer for {self._settings.patience:g} s")
         self._pass_points(pose)
         target = self._points[0]
-        room = min(_LOOK_AHEAD, max(0.1, pose.distance(target) - 0.1))
+        room = min(self._look_ahead, max(0.1, pose.distance(target) - 0.1))
         twist, as_wished = self._driver.drive(now, pose, sight, pose.bearing(target), self._settings.speed, room=room)
         self._replan_if_barred(now, pose, sight, as_wished)
         return JourneyStep(JourneyState.UNDER_WAY, _slow_down(twist, pose.distance(self._place)))
 
+    def _without_way(self, now: float, problem: str) -> JourneyStep:
+        """Give up at once on a map that stays; on one that changes, look around first."""
+        self._field = None
+        if self._no_way_since is None:
+            self._no_way_since = now
+        if self._map_revision is None or now - self._no_way_since >= _LOOK_AROUND:
+            return JourneyStep(JourneyState.NO_WAY, detail=problem)
+        return JourneyStep(JourneyState.UNDER_WAY)
+
+    def _follow_map(self, now: float, pose: Pose) -> str:
+        """Plan again if the map has changed; return why there is no way, or nothing."""
+        if self._map_revision is None or self._map_revision() == self._revision:
+            return ""
+        nearer_at, last = self._nearer_at, self._last
+        problem = self._set_out(now, pose)
+        self._nearer_at, self._last = nearer_at, last
+        left = self._field.at(pose) if self._field and not problem else None
+        if left is not None and math.isfinite(self._least_left):
+            # A way that has turned out longer is no step back.
+            self._least_left = max(self._least_left, left)
+        return problem
+
     def _set_out(self, now: float, pose: Pose) -> str:
         """Plan on the known map; return why there is no way, or nothing."""
+        if self._map_revision is not None:
+            self._revision = self._map_revision()
         self._navigator.observe(())
         points = self._navigator.path(pose, self._place)
         if points is None:
@@ -148,7 +183,7 @@ class Journey:
             here, following = self._points[0], self._points[1]
             distance = pose.distance(here)
             beyond = (pose.x - here.x) * (following.x - here.x) + (pose.y - here.y) * (following.y - here.y) > 0.0
-            if distance > (_CUT_CORNER if beyond else _NEXT_POINT):
+            if distance > (self._cut_corner if beyond else self._next_point):
                 return
             del self._points[0]
 
