@@ -15,6 +15,18 @@ from tests.packaging.spaces import MADE, Space, Workspace
 
 pytestmark = pytest.mark.ros
 
+PLUGINS = {
+    "basic_behaviours",
+    "csv_tables",
+    "mission_journal",
+    "mrta_alliance",
+    "mrta_baselines",
+    "mrta_demir_cf",
+    "mrta_l_alliance",
+    "mtrp_allocators",
+    "nearest_robot",
+    "team_measures",
+}
 SAME = ("mission.bag", "summary.json", "events.jsonl", "incidents.jsonl")
 
 
@@ -48,22 +60,9 @@ def test_rospack_finds_every_package(space: Space) -> None:
 @pytest.mark.parametrize(
     ("attribute", "names"),
     [
-        ("architecture", {"mrta_alliance", "mrta_baselines", "mrta_l_alliance", "nearest_robot"}),
+        ("architecture", {"mrta_alliance", "mrta_baselines", "mrta_demir_cf", "mrta_l_alliance", "nearest_robot"}),
         ("application", {"border_patrol", "cleanup"}),
-        (
-            "plugin",
-            {
-                "basic_behaviours",
-                "csv_tables",
-                "mission_journal",
-                "mrta_alliance",
-                "mrta_baselines",
-                "mrta_l_alliance",
-                "mtrp_allocators",
-                "nearest_robot",
-                "team_measures",
-            },
-        ),
+        ("plugin", PLUGINS),
     ],
 )
 def test_rospack_lists_what_is_registered(space: Space, attribute: str, names: set[str]) -> None:
@@ -94,8 +93,7 @@ def test_rosmsg_shows_a_plugins_message(space: Space) -> None:
 def test_mrta_lists_every_plugin_of_the_space(space: Space) -> None:
     listing = json.loads(space.run("rosrun", "rqt_mrta_py", "mrta", "list", "--json"))
     found = {entry["folder"] for entry in listing["plugins"] if entry["name"] not in {"rqt_mrta_py", *MADE}}
-    assert {Path(folder) for folder in found} <= set(plugin_folders(space).values())
-    assert len(found) == 8
+    assert {Path(folder) for folder in found} == {plugin_folders(space)[name] for name in PLUGINS}
 
 
 def test_rosrun_runs_a_mission_to_the_same_bytes_in_both_spaces(workspace: Workspace) -> None:
