@@ -281,6 +281,14 @@ def test_path_robot_begins_nothing_dearer_than_what_another_carries_out(objectiv
         assert kinds(script.step(script.completion("c", "z"))) == [Kind.REQUEST]
 
 
+@pytest.mark.parametrize("rival", ["a", "c"])
+def test_of_two_robots_that_request_at_one_cost_one_goes_however_their_costs_waver(rival: str) -> None:
+    script = Script(TWO, objective="path", gives_way=True).requested()
+    script.costs["t"] = 4.1
+    script.step(script.request(rival, "u", 4.0))
+    assert script.state("t") is (B.INITIAL if rival == "a" else B.REQUESTED)
+
+
 def without_handling() -> Script:
     return Script(NEAR, handling=False).executing()
 

@@ -16,8 +16,9 @@ SQUARE = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0), (1.0, 1.0)]
 
 
 def test_path_robot_gives_way_to_what_is_cheaper_than_its_own() -> None:
-    assert gives_way_for_path(3.0, 2.9)
-    assert not gives_way_for_path(3.0, 3.0)
+    assert gives_way_for_path((3.0, "a"), (2.9, "b"))
+    assert not gives_way_for_path((3.0, "a"), (3.0, "b"))
+    assert gives_way_for_path((3.0, "b"), (3.0, "a"))
 
 
 @pytest.mark.parametrize(
@@ -34,7 +35,7 @@ def test_path_robot_gives_way_to_what_is_cheaper_than_its_own() -> None:
 def test_time_robot_gives_way_near_by_only(
     own: float, own_for_requested: float, rival: float, near: bool, gives_way: bool
 ) -> None:
-    assert gives_way_for_time(own, own_for_requested, rival, near) is gives_way
+    assert gives_way_for_time((own, "b"), own_for_requested, (rival, "c"), near) is gives_way
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ current task or open request:
 
 from __future__ import annotations
 
-from typing import Optional
+from typing import Optional, Tuple
 
 from mrta_demir_cf.message_kinds import CancelReason, Kind
 from mrta_demir_cf.messages import Message
@@ -21,33 +21,38 @@ from mrta_demir_cf.nearness import is_near
 from mrta_demir_cf.task_model import TaskModel
 from mrta_demir_cf.task_states import TaskBelief, TaskEvent
 
-__all__ = ["gives_way_for_path", "gives_way_for_time", "respond"]
+__all__ = ["Claim", "gives_way_for_path", "gives_way_for_time", "respond"]
+
+Claim = Tuple[float, str]
+"""What a task costs a robot [m], and the robot's id."""
 
 
-def gives_way_for_path(own: float, rival: float) -> bool:
+def gives_way_for_path(own: Claim, rival: Claim) -> bool:
     """Tell whether a robot waits under the path objective (Algorithm 3').
 
         c_ji > c_lk
 
+    Differs from the paper: of equal costs the smaller id goes first, or all who are at equal costs would go at once.
+
     Args:
-        own: c_ji, of what it executes or requests [m].
-        rival: c_lk, as announced [m].
+        own: c_ji, of what it executes or requests [m], and its id.
+        rival: c_lk, as announced [m], and the requester's id.
     """
     return own > rival
 
 
-def gives_way_for_time(own: float, own_for_requested: Optional[float], rival: float, near: bool) -> bool:
+def gives_way_for_time(own: Claim, own_for_requested: Optional[float], rival: Claim, near: bool) -> bool:
     """Tell whether a robot waits under the time objective (Algorithm 3'').
 
         (c_ji > c_jk or c_ji > c_lk) and near
 
     Args:
-        own: c_ji, of what it executes or requests [m].
+        own: c_ji, of what it executes or requests [m], and its id.
         own_for_requested: c_jk, of the requested task to it [m]; None if it could not carry that out.
-        rival: c_lk, as announced [m].
+        rival: c_lk, as announced [m], and the requester's id.
         near: whether task or requester lies near its rough schedule.
     """
-    dearer_than_requested = own_for_requested is not None and own > own_for_requested
+    dearer_than_requested = own_for_requested is not None and own[0] > own_for_requested
     return near and (dearer_than_requested or own > rival)
 
 
@@ -65,11 +70,13 @@ def respond(mind: Mind, message: Message, model: TaskModel) -> None:
     own = mind.cost(message.task)
     held = mind.tasks[mind.mine] if mind.mine is not None else None
     if held is not None and mind.told.gives_way and not held.ordered:
-        cost = mind.held_cost(held)
+        # A request is what it was announced at; a cost that wavers must not let two robots both go first.
+        cost = held.cost if held.belief is TaskBelief.REQUESTED else mind.held_cost(held)
+        claim, rival = (cost, mind.robot_id), (message.cost, message.robot)
         if mind.told.keeps_paths_short:
-            if gives_way_for_path(cost, message.cost):
+            if gives_way_for_path(claim, rival):
                 mind.cancel(held, TaskEvent.GIVEN_WAY, CancelReason.DEARER_REQUEST)
-        elif gives_way_for_time(cost, own, message.cost, _concerns(mind, message, model)):
+        elif gives_way_for_time(claim, own, rival, _concerns(mind, message, model)):
             mind.cancel(held, TaskEvent.GIVEN_WAY, CancelReason.DEARER_NEIGHBOUR)
     asked = model.belief is TaskBelief.REQUESTED_OTHER and model.holder == message.robot and not model.awarded
     if mind.mine is None and asked and own is not None and own < message.cost:
