@@ -54,7 +54,8 @@ class DemirCfParameters:
         exchange: whether it asks others for tasks that they carry out.
         margin: by what share a cost must be lower, or higher, to change what is going on, 0 to below 1 [1].
         handling: whether robots warn, answer and yield where their beliefs differ.
-        gives_way: whether a request at less than its own task makes it wait (Algorithm 3' and 3'').
+        gives_way: whether, under the time objective, a request near by at less than its own task makes it wait
+            (Algorithm 3''); under the path objective it always does (3').
         literal_award: whether it takes awards only while it has nothing else to do, as Algorithm 3 is printed; counts
             for the time objective.
         retry: after what time it thinks again of a task that could not be reached, twice as long each time; 0: only
@@ -75,7 +76,7 @@ class DemirCfParameters:
     exchange: bool = False
     margin: float = 0.1
     handling: bool = True
-    gives_way: bool = True
+    gives_way: bool = False
     literal_award: bool = False
     retry: float = 30.0
     unknown_cost: float = 1000.0

@@ -59,8 +59,10 @@ def gives_way_for_time(own: Claim, own_for_requested: Optional[float], rival: Cl
 def respond(mind: Mind, message: Message, model: TaskModel) -> None:
     """Answer a request for a task that this robot neither holds nor knows to be over.
 
-    Differs from the paper: a robot that keeps what it holds does not bid, since it would have to refuse the award; one
-    that has bid selects nothing until the award could have come; and what an operator ordered gives way to nothing.
+    Differs from the paper: a robot that keeps what it holds does not bid, since it would have to refuse the award. One
+    that has bid selects nothing until the award could have come, and one that has given way nothing until the request
+    is closed, or neighbours at nearly one cost would for ever give way to one another. Under the time objective a robot
+    gives way only where ``gives_way`` says so. What an operator ordered gives way to nothing.
 
     Args:
         mind: the robot's.
@@ -69,15 +71,19 @@ def respond(mind: Mind, message: Message, model: TaskModel) -> None:
     """
     own = mind.cost(message.task)
     held = mind.tasks[mind.mine] if mind.mine is not None else None
-    if held is not None and mind.told.gives_way and not held.ordered:
+    if held is not None and not held.ordered:
         # A request is what it was announced at; a cost that wavers must not let two robots both go first.
         cost = held.cost if held.belief is TaskBelief.REQUESTED else mind.held_cost(held)
         claim, rival = (cost, mind.robot_id), (message.cost, message.robot)
+        reason: Optional[CancelReason] = None
         if mind.told.keeps_paths_short:
             if gives_way_for_path(claim, rival):
-                mind.cancel(held, TaskEvent.GIVEN_WAY, CancelReason.DEARER_REQUEST)
-        elif gives_way_for_time(claim, own, rival, _concerns(mind, message, model)):
-            mind.cancel(held, TaskEvent.GIVEN_WAY, CancelReason.DEARER_NEIGHBOUR)
+                reason = CancelReason.DEARER_REQUEST
+        elif mind.told.gives_way and gives_way_for_time(claim, own, rival, _concerns(mind, message, model)):
+            reason = CancelReason.DEARER_NEIGHBOUR
+        if reason is not None:
+            mind.cancel(held, TaskEvent.GIVEN_WAY, reason)
+            mind.busy_until = max(mind.busy_until, mind.now + mind.told.reply_timeout)
     asked = model.belief is TaskBelief.REQUESTED_OTHER and model.holder == message.robot and not model.awarded
     if mind.mine is None and asked and own is not None and own < message.cost:
         mind.speaker.say(Kind.BID, message.task, recipient=message.robot, cost=own)
