@@ -1,19 +1,26 @@
-"""Part of a team."""
+"""Part of a team, and what it knows of the map."""
 
 from __future__ import annotations
 
-from rqt_mrta_py.app.selection import with_robots
+import dataclasses
+
+import pytest
+
+from rqt_mrta_py.app.selection import with_map, with_robots
+from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.model import (
     ApplicationRobot,
     ApplicationSpec,
     ArchitectureSpec,
     Arena,
+    MapKnowledge,
     Mission,
     Pose,
     RobotSetup,
     ScenarioEvent,
     ScenarioEventKind,
     ScenarioSpec,
+    SensorSetup,
     Task,
     Taxonomy,
 )
@@ -72,3 +79,29 @@ def test_partition_of_a_part_of_a_team_names_its_robots_only() -> None:
     event = ScenarioEvent(1.0, KIND.RADIO_PARTITIONS, None, None, {"groups": [["r1", "r2"], ["r2"], ["r3"]]})
     (left,) = events_of(with_robots(mission(event), ["r1", "r3"]))
     assert left.parameters == {"groups": [["r1"], ["r3"]]}
+
+
+def test_without_a_word_robots_know_of_the_map_what_the_scenario_says() -> None:
+    whole = mission()
+    assert with_map(whole, None) is whole
+
+
+def test_all_robots_know_the_map_or_none() -> None:
+    sensors = tuple(SensorSetup(kind, topic, 10.0) for kind, topic in (("localiser", "pose"), ("range_finder", "scan")))
+    whole = mission()
+    assert whole.scenario is not None
+    able = tuple(dataclasses.replace(robot, sensors=sensors) for robot in whole.scenario.robots)
+    whole = dataclasses.replace(whole, scenario=dataclasses.replace(whole.scenario, robots=able))
+    for knowledge in (MapKnowledge.UNKNOWN, MapKnowledge.KNOWN):
+        whole = with_map(whole, knowledge)
+        assert whole.scenario is not None
+        assert [robot.map for robot in whole.scenario.robots] == [knowledge] * 3
+
+
+def test_a_robot_without_the_sensors_cannot_be_asked_to_map() -> None:
+    with pytest.raises(UsageError) as caught:
+        with_map(mission(), MapKnowledge.UNKNOWN)
+    assert str(caught.value) == (
+        "--map unknown: r1 has no sensor on the topic pose nor on scan, by which it could map; "
+        "give it sensors on pose and scan, or let the map be known"
+    )

@@ -101,7 +101,7 @@ SAID: Dict[str, Tuple[str, ...]] = {
     "scenario_robot_twice.yaml": ("4: robots[1]/id: 'robot1' names two robots; the first one is in line 3",),
     "scenario_unknown_robot.yaml": ("5: events[0]/robot: 'robot2' is no robot of the scenario; nearest is 'robot1'",),
     "scenario_without_robots.yaml": (
-        "1: robots: is missing; give a list of mappings (id, start, model, sensors, capabilities)",
+        "1: robots: is missing; give a list of mappings (id, start, model, sensors, capabilities, map)",
     ),
     "tasks_alias_bomb.yaml": ("5: holds more than 100000 values",),
     "tasks_alias_of_itself.yaml": ("2: refers to 't', which is not complete here",),

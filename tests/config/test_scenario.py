@@ -15,6 +15,7 @@ from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.model import (
     Arena,
     LooseBody,
+    MapKnowledge,
     Obstacle,
     Pose,
     RadioSetup,
@@ -63,7 +64,7 @@ robot_defaults:
   sensors: [{kind: range_finder, topic: scan, rate: 5, rays: 36, range: {min: 0.1}}]
 robots:
   - {id: /r1, start: {x: 0.5, y: 0.5, yaw: 1.5}}
-  - {id: r2, start: {x: 3.5, y: 1.5}, model: crawler, sensors: [], capabilities: [lift]}
+  - {id: r2, start: {x: 3.5, y: 1.5}, model: crawler, sensors: [], capabilities: [lift], map: known}
 events:
   - {time: 9, kind: robot_returns, robot: r1}
   - {time: 3, kind: robot_stops, robot: /r1}
@@ -93,6 +94,40 @@ events:
         picture_period=0.0,
         radio=RadioSetup("lossy", {"loss": 0.1}),
         planner="theta_star",
+    )
+
+
+def test_robots_that_map_say_so_themselves_or_by_the_defaults() -> None:
+    text = """
+arena: {min_x: 0, min_y: 0, max_x: 4, max_y: 2}
+robot_defaults:
+  map: unknown
+  sensors: [{kind: localiser, topic: pose, rate: 10}, {kind: range_finder, topic: scan, rate: 10}]
+robots:
+  - {id: r1, start: {x: 0.5, y: 0.5}}
+  - {id: r2, start: {x: 3.5, y: 1.5}, map: known}
+"""
+
+    robots = read_scenario(text, "s.yaml").robots
+
+    assert [robot.map for robot in robots] == [MapKnowledge.UNKNOWN, MapKnowledge.KNOWN]
+
+
+def test_a_robot_that_cannot_map_is_told_of_with_the_line_that_wants_it_to() -> None:
+    text = """
+arena: {min_x: 0, min_y: 0, max_x: 4, max_y: 2}
+robot_defaults:
+  map: unknown
+robots:
+  - {id: r1, start: {x: 0.5, y: 0.5}}
+"""
+
+    with pytest.raises(ConfigError) as caught:
+        read_scenario(text, "s.yaml")
+
+    assert str(caught.value) == (
+        "s.yaml:4: robot_defaults/map: r1 has no sensor on the topic pose nor on scan, by which it could map; "
+        "give it sensors on pose and scan, or let the map be known"
     )
 
 

@@ -10,7 +10,7 @@ from rqt_mrta_py.sim import plugin
 from rqt_mrta_py.sim.bullet import BulletWorld
 from rqt_mrta_py.sim.planar import PlanarWorld
 from rqt_mrta_py.sim.radio import LossyLink, PerfectLink
-from rqt_mrta_py.sim.robot_models import CARRIER, DIFF_DRIVE, OMNI_DRIVE, STRONG_CARRIER
+from rqt_mrta_py.sim.robot_models import CARRIER, DIFF_DRIVE, OMNI_DRIVE, SMALL_DIFF_DRIVE, STRONG_CARRIER
 from rqt_mrta_py.sim.sensors import Bumper, Detector, Localiser, Odometry, RangeFinder
 from tests.sim.radio.support import link_setup
 from tests.sim.sensors.support import context
@@ -30,6 +30,7 @@ def test_plugin_keeps_the_contract_and_registers_what_the_room_brings():
         "carrier": CARRIER,
         "diff_drive": DIFF_DRIVE,
         "omni_drive": OMNI_DRIVE,
+        "small_diff_drive": SMALL_DIFF_DRIVE,
         "strong_carrier": STRONG_CARRIER,
     }
     kinds = {kind: type(factory(context(kind, "topic"))) for kind, factory in sensors.items()}
@@ -38,7 +39,7 @@ def test_plugin_keeps_the_contract_and_registers_what_the_room_brings():
     assert kinds == {"localiser": Localiser, "odometry": Odometry, "range_finder": RangeFinder}
 
 
-@pytest.mark.parametrize("model", [DIFF_DRIVE, CARRIER, STRONG_CARRIER], ids=lambda model: model.name)
+@pytest.mark.parametrize("model", [DIFF_DRIVE, SMALL_DIFF_DRIVE, CARRIER, STRONG_CARRIER], ids=lambda model: model.name)
 def test_robot_on_two_wheels_fits_into_its_own_radius(model):
     corner = math.hypot(model.length / 2, model.width / 2)
     wheel = model.track / 2 + model.wheel_radius

@@ -32,7 +32,8 @@ SMALL_DIFF_DRIVE = RobotModel(
     drive="differential",
     length=0.14,
     width=0.10,
-    height=0.10,
+    # As tall as it is long, to be seen in the plane in which robots see one another.
+    height=0.14,
     # Over the corners of the body; the wheels' outer sides lie 0.085 m from the centre.
     radius=0.09,
     mass=0.8,
@@ -40,7 +41,7 @@ SMALL_DIFF_DRIVE = RobotModel(
     track=0.12,
     max_speed=0.25,
     max_turn_rate=2.5,
-    sensor_height=0.08,
+    sensor_height=0.12,
     capabilities=frozenset({"drive", "range"}),
 )
 """A table-top robot on two driven wheels and two casters."""

@@ -17,12 +17,14 @@ from rqt_mrta_py.hooks import (
     Decision,
     Heard,
     Outgoing,
+    PlannerSetup,
     RobotModel,
     Situation,
     Subscription,
 )
 from rqt_mrta_py.model import Arena, Obstacle, Pose, Task
-from rqt_mrta_py.robot import GridNavigator, HostSetup, RobotHost
+from rqt_mrta_py.robot import HostSetup, LearningNavigator, Mapper, RobotHost
+from rqt_mrta_py.robot.plugin import mrta_register_planners
 
 RATE = 20
 ARENA = Arena(0.0, 0.0, 12.0, 8.0)
@@ -120,13 +122,25 @@ class OneTask:
 class Robot:
     """One disc with a host that carries out one task."""
 
-    def __init__(self, index: int, job: Tuple[Pose, Task, Factory], navigator: GridNavigator) -> None:
+    def __init__(
+        self, index: int, job: Tuple[Pose, Task, Factory], arena: Arena, obstacles: Sequence[Obstacle], maps: bool
+    ) -> None:
         start, task, factory = job
         self.id = f"robot{index + 1}"
-        setup = BehaviourSetup(self.id, MODEL, navigator, np.random.default_rng([7, index]))
+        self.mapper = Mapper(arena) if maps else None
+        planner = PlannerSetup(arena, tuple(obstacles), MODEL.radius)
+        make = mrta_register_planners()["astar"]
+        random = np.random.default_rng([7, index])
+        if self.mapper is None:
+            setup = BehaviourSetup(self.id, MODEL, make(planner), random)
+        else:
+            mapper = self.mapper
+            learning = LearningNavigator(make, planner, mapper.map, lambda: mapper.now)
+            setup = BehaviourSetup(self.id, MODEL, learning, random, learning.revision)
         self.agent = OneTask(task.id)
-        self.host = RobotHost(HostSetup(self.id, self.agent, {task.kind: factory(setup)}, (task,), RATE))
-        self.hear = dict(self.host.listeners())
+        behaviours = {task.kind: factory(setup)}
+        self.host = RobotHost(HostSetup(self.id, self.agent, behaviours, (task,), RATE, mapper=self.mapper))
+        self.hear = self.host.listeners()
         self.x, self.y, self.yaw = start.x, start.y, start.yaw
         self.vx = self.wz = 0.0
         self.track: List[Tuple[float, float]] = []
@@ -146,11 +160,10 @@ class Floor:
         unknown: Sequence[Obstacle] = (),
         noise: bool = True,
         rays: int = 36,
+        maps: bool = False,
     ) -> None:
         self.arena, self.obstacles = arena, (*obstacles, *unknown)
-        self.robots = [
-            Robot(index, job, GridNavigator(arena, obstacles, radius=MODEL.radius)) for index, job in enumerate(jobs)
-        ]
+        self.robots = [Robot(index, job, arena, obstacles, maps) for index, job in enumerate(jobs)]
         self.contacts: Dict[Tuple[str, str], int] = {}
         self._noise = 1.0 if noise else 0.0
         self._bearings = -math.pi + np.arange(rays) * (2 * math.pi / rays)
@@ -194,6 +207,7 @@ class Floor:
         x, y = (value + self._noise * 0.02 * draw() for value in (robot.x, robot.y))
         half_yaw = (robot.yaw + self._noise * 0.02 * draw()) / 2
         pose = {
+            "header/stamp": now,
             "pose/position/x": x,
             "pose/position/y": y,
             "pose/orientation/x": 0.0,
@@ -206,13 +220,14 @@ class Floor:
         ranges = true + self._noise * draw(true.size) * (0.01 + 0.01 * true)
         ranges[(ranges > 4.0) | (self._noise * self._random.random(true.size) > 0.995)] = np.inf
         scan = {
+            "header/stamp": now,
             "angle_min": float(self._bearings[0]),
             "angle_increment": float(self._bearings[1] - self._bearings[0]),
             "range_min": 0.05,
             "range_max": 4.0,
             "ranges": ranges.tolist(),
         }
-        for wish, hear in robot.hear.items():
+        for wish, hear in robot.hear:
             content: Mapping[str, object] = {"pose": pose, "scan": scan}.get(wish.topic, {})
             if content:
                 hear(Heard(f"/{robot.id}/{wish.topic}", wish.type, now, {path: content[path] for path in wish.fields}))

@@ -12,7 +12,7 @@ from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import Body, Contact
 from rqt_mrta_py.model import Arena, Obstacle, Pose, Twist
 from rqt_mrta_py.sim.bullet import BulletWorld
-from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
+from rqt_mrta_py.sim.robot_models import DIFF_DRIVE, SMALL_DIFF_DRIVE
 from tests.sim.worlds import TICK, crowd_setup, run, setup
 
 WIDE = Arena(-3.0, -3.0, 5.0, 3.0)
@@ -32,6 +32,21 @@ def test_robot_drives_alike_whatever_the_control_rate(world, control_rate):
     for _ in range(control_rate):
         world.step()
     assert world.poses()[0, 0] == pytest.approx(0.38, abs=0.01)
+
+
+@pytest.mark.parametrize("model", [DIFF_DRIVE, SMALL_DIFF_DRIVE], ids=lambda model: model.name)
+def test_robot_drives_and_turns_as_it_is_told_whatever_its_size(world, model):
+    """Within 2 %, over two seconds after one to get going; a robot that stands creeps by less than 1 mm/s."""
+    world.reset(setup(Pose(-1.0, 0.0), Pose(0.0, 1.0), Pose(0.0, -1.0), model=model))
+    world.command("r0", "base", Twist(vx=0.2))
+    world.command("r1", "base", Twist(wz=1.0))
+    run(world, 1.0)
+    before = world.poses().copy()
+    run(world, 2.0)
+    moved = world.poses() - before
+    assert moved[0] == pytest.approx([0.4, 0.0, 0.0], abs=0.008)
+    assert moved[1] == pytest.approx([0.0, 0.0, 2.0], abs=0.04)
+    assert moved[2] == pytest.approx([0.0, 0.0, 0.0], abs=0.002)
 
 
 def test_poses_do_not_depend_on_how_often_they_are_asked_for(world):
