@@ -63,10 +63,14 @@ class Script:
         """Say something in the name of another robot, which is where it was, at first far away, unless told."""
         at = self._others.setdefault(robot, FAR) if at is None else at
         self._others[robot] = at
-        speaker = self._speakers.setdefault(robot, Speaker(robot))
+        speaker = self.speaker(robot)
         speaker.begin(self.now + CYCLE, at)
         speaker.say(kind, task, recipient=recipient, **own)
         return as_heard(speaker.take()[0], self.now + CYCLE)
+
+    def speaker(self, robot: str) -> Speaker:
+        """Give who writes the messages of another robot."""
+        return self._speakers.setdefault(robot, Speaker(robot))
 
     def request(self, robot: str, task: str, cost: float, at: Optional[Place] = None) -> Heard:
         return self.message(robot, Kind.REQUEST, task, at, cost=cost, deadline=self.now + 1.5)

@@ -163,6 +163,36 @@ def test_task_that_came_back_is_not_taken_for_done_because_it_once_was() -> None
     assert script.state("t") is B.COMPLETED
 
 
+def test_completion_that_was_lost_is_told_with_the_next_word() -> None:
+    script = Script(TWO).executing()
+    script.step(reports=[script.done("t")])
+    script.wait(1.0)
+    (execution,) = [message for message in script.said if message.kind is Kind.EXECUTION and message.task == "u"]
+    assert execution.completed == "t"
+    listener = Script(TWO)
+    listener.step(listener.execution("c", "t", 1.0))
+    listener.speaker("c").completed = "t"
+    listener.step(listener.hello("c"))
+    assert listener.state("t") is B.COMPLETED
+
+
+def test_robot_without_handling_tells_a_completion_once() -> None:
+    script = Script(TWO, handling=False).executing()
+    script.step(reports=[script.done("t")])
+    script.wait(1.0)
+    assert {message.completed for message in script.said} == {""}
+
+
+def test_task_that_came_back_is_not_told_to_be_done_any_more() -> None:
+    script = Script(NEAR).executing()
+    script.step(reports=[script.done("t")])
+    script.step(reports=[script.report("t", Progress.APPEARED)])
+    assert script.said[-1].completed == ""
+    script.speaker("a").completed = "t"
+    script.step(script.hello("a"))
+    assert script.state("t") is B.REQUESTED
+
+
 def test_what_another_robots_host_reports_counts_like_its_message() -> None:
     script = Script(TWO).executing()
     script.step(reports=[script.report("t", Progress.DONE, "a")])

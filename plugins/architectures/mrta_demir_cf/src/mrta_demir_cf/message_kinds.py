@@ -75,7 +75,7 @@ _TOPICS: Dict[Kind, str] = {
 
 KIND_OF_TOPIC: Dict[str, Kind] = {topic: kind for kind, topic in _TOPICS.items()}
 
-_HEAD = ("header/stamp", "robot_id", "recipient", "number", "position/x", "position/y")
+_HEAD = ("header/stamp", "robot_id", "recipient", "number", "position/x", "position/y", "completed")
 _OWN: Dict[Kind, Tuple[str, ...]] = {
     Kind.NEW_TASK: ("place/x", "place/y", "map_stamp"),
     Kind.REQUEST: ("cost", "deadline"),

@@ -24,6 +24,7 @@ class Message(NamedTuple):
         number: the sender's count.
         stamp: when it was said, on the sender's clock [s].
         position: where the sender is; None if it does not know.
+        completed: the task that the sender has done last; empty if none.
         cost: the sender's; of WARNING the holder's; finite [m].
         deadline: of REQUEST, until when bids are waited for [s].
         winner: of AWARD, id of who shall carry the task out.
@@ -44,6 +45,7 @@ class Message(NamedTuple):
     number: int = 0
     stamp: float = 0.0
     position: Optional[Position] = None
+    completed: str = ""
     cost: float = 0.0
     deadline: float = 0.0
     winner: str = ""
@@ -96,6 +98,7 @@ def read_message(heard: Heard) -> Union[Message, str]:
         fields["number"],
         fields["header/stamp"],
         _position(fields, "position"),
+        normalise_id(fields["completed"]),
         fields.get("cost", 0.0),
         fields.get("deadline", 0.0),
         winner,
@@ -114,6 +117,7 @@ class Speaker:
     """Writes one robot's messages and counts them.
 
     Attributes:
+        completed: the task that the robot has done last, told with everything that it says; empty if none.
         said_at: when it last said anything to all [s].
 
     Args:
@@ -121,6 +125,7 @@ class Speaker:
     """
 
     def __init__(self, robot_id: str) -> None:
+        self.completed = ""
         self.said_at = -math.inf
         self._robot_id = robot_id
         self._number = 0
@@ -153,6 +158,7 @@ class Speaker:
             "recipient": recipient,
             "number": self._number,
             "position": _point(self._position),
+            "completed": self.completed,
         }
         if kind is not Kind.HELLO:
             fields["task_id"] = task

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Callable, Dict
 
 from mrta_demir_cf.consistency import Consistency
@@ -58,6 +59,8 @@ class ModelUpdate:
         if not robot.is_news(message.task, message.number, message.stamp):
             return
         self._note(robot, message)
+        if message.completed and message.completed != message.task:
+            self._note_completed(message.completed)
         if message.kind is Kind.HELLO:
             return
         model = mind.task(message.task)
@@ -104,6 +107,12 @@ class ModelUpdate:
         elif message.kind is Kind.AWARD:
             event = RobotEvent.AWARDS
         mind.changes += robot.happen(event, mind.now, message.task)
+
+    def _note_completed(self, task: str) -> None:
+        """Take in what a sender has done last, said with whatever it says; what appeared anew may be another task."""
+        model = self._mind.task(task)
+        if math.isinf(model.born):
+            self._mind.change(model, TaskEvent.COMPLETION_TOLD)
 
     def _new_task(self, message: Message, model: TaskModel) -> None:
         mind = self._mind

@@ -53,6 +53,8 @@ def _end(mind: Mind, model: TaskModel, own: bool) -> None:
     executed = own and model.belief is TaskBelief.EXECUTING
     row = mind.change(model, TaskEvent.REACHED if executed else TaskEvent.COMPLETION_TOLD)
     if own and row is not None:
+        if mind.told.handling:
+            mind.speaker.completed = model.id
         mind.speaker.say(Kind.COMPLETION, model.id)
 
 
@@ -63,6 +65,8 @@ def _appear(mind: Mind, report: TaskReport) -> None:
     definition = report.definition or mind.definitions.get(report.task)
     model = mind.task(report.task) if definition is None else mind.know(definition)
     model.born = mind.now
+    if mind.speaker.completed == model.id:
+        mind.speaker.completed = ""
     if model.belief is TaskBelief.UNACHIEVABLE:
         mind.change(model, TaskEvent.TOLD_NEW)
         model.reachable = mind.now
