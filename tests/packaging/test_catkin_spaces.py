@@ -61,7 +61,7 @@ def test_rospack_finds_every_package(space: Space) -> None:
     ("attribute", "names"),
     [
         ("architecture", {"mrta_alliance", "mrta_baselines", "mrta_demir_cf", "mrta_l_alliance", "nearest_robot"}),
-        ("application", {"border_patrol", "cleanup"}),
+        ("application", {"border_patrol", "cleanup", "target_visiting"}),
         ("plugin", PLUGINS),
     ],
 )

@@ -105,6 +105,23 @@ def test_all_tasks_end_under_an_architecture_that_goes_by_costs() -> None:
     assert trial.record.incidents == ()
 
 
+def test_all_tasks_end_under_an_architecture_that_negotiates() -> None:
+    (trial,) = carried_out(
+        [
+            Experiment(
+                "cleanup",
+                0,
+                architecture="mrta_demir_cf",
+                duration=180.0,
+                world="planar",
+                robots=2,
+                tasks=("bottles", "crates"),
+            )
+        ]
+    )
+    assert not_done(trial) == []
+
+
 @pytest.mark.parametrize("robots", [1, 2, 3, 4])
 def test_the_first_robots_can_do_everything_together(mission: Mission, robots: int) -> None:
     able = {task for robot in mission.application.robots[:robots] for task in robot.tasks}
