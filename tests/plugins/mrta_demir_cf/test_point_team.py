@@ -166,6 +166,20 @@ def test_handling_makes_missions_shorter_quieter_and_nearly_free_of_duplicates(l
 
 
 @pytest.mark.long
+@pytest.mark.parametrize("loss", [0.0, 0.25, 0.5])
+def test_death_of_one_of_three_robots_at_half_of_the_mission_leaves_no_target_out(loss: float) -> None:
+    missions = []
+    for seed in range(20):
+        three = team(3, seed, loss=loss)
+        three.run(600.0, until_visited=5)
+        three.step()
+        three.stopped.add("r1")
+        missions.append(three.run(1500.0))
+        assert three.visited == 10
+    assert mean(missions, "duplicates") <= 0.1
+
+
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("robots", "path", "messages", "time"), [(1, 13.5, 90, 147), (3, 11.0, 78, 66), (8, 8.5, 65, 34)]
 )
