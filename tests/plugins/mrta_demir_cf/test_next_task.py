@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import List
 
 import numpy as np
 import pytest
@@ -78,3 +79,16 @@ def test_offer_is_not_repeated_before_long_and_something_else_is_done_meanwhile(
     said = script.wait(5.0)
     assert [(message.kind, message.task) for message in said][:2] == [(Kind.EXCHANGE, "t"), (Kind.REQUEST, "u")]
     assert kinds(said).count(Kind.EXCHANGE) == 1
+
+
+@pytest.mark.parametrize(
+    ("looks_ahead", "objective", "requests"), [(True, "time", ["t"]), (False, "time", []), (True, "path", [])]
+)
+def test_robot_that_looks_ahead_takes_what_it_reaches_before_a_busy_neighbour(
+    looks_ahead: bool, objective: str, requests: List[str]
+) -> None:
+    """a is 1 m from t but goes to z first, 9 m and as far back; from b it is 4 m. To u a is on its way."""
+    script = Script({"t": (4.0, 0.0), "z": (13.0, 1.0), "u": (15.0, 1.0)}, looks_ahead=looks_ahead, objective=objective)
+    script.step(script.execution("a", "z", 9.0, (4.0, 1.0)))
+    said = script.wait(2.0, "a")
+    assert [message.task for message in said if message.kind is Kind.REQUEST] == requests

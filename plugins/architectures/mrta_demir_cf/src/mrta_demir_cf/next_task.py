@@ -15,11 +15,14 @@ Differs from the paper:
 * A robot that carries out a task that never ends counts in nobody's Eq. 1: it will not come.
 * A task that nobody has taken for T_exec is passed over by those nearer to it that have been idle for as long: they
   cannot carry it out, whatever the reason, so Eq. 1 leaves them out for it. This serves only who has nothing else.
+* With ``looks_ahead``, under the time objective, a robot that has nothing else takes what it reaches before each of the
+  others, where those who carry something out come by way of that.
 * What a robot holds is changed only for a task that is nearer by the margin.
 """
 
 from __future__ import annotations
 
+import math
 from typing import Iterable, List, NamedTuple, Optional, Sequence
 
 import numpy as np
@@ -62,6 +65,10 @@ def find_next(mind: Mind) -> Optional[Choice]:
     schedule = _rough_schedule(mind, candidates, rivals)
     mind.schedule = tuple(_place(mind, model) for model in schedule)
     choice = _cheapest(mind, schedule)
+    if choice is None and mind.mine is None and mind.told.looks_ahead and not mind.told.keeps_paths_short:
+        choice = _cheapest(
+            mind, [model for model in candidates if model.is_free and _reaches_first(mind, model, rivals)]
+        )
     if choice is None and mind.mine is None:
         patience = mind.told.execution_timeout
         waiting = [model for model in candidates if model.is_free and mind.now - model.since > patience]
@@ -89,6 +96,21 @@ def _is_worth_an_offer(mind: Mind, model: TaskModel) -> bool:
 def _is_bound(mind: Mind, robot: RobotModel) -> bool:
     task = mind.tasks.get(robot.task)
     return task is not None and task.perpetual and task.belief is TaskBelief.EXECUTING_OTHER
+
+
+def _reaches_first(mind: Mind, model: TaskModel, rivals: Iterable[RobotModel]) -> bool:
+    """Tell whether this robot's way to a task is shorter than that of all rivals by way of what they carry out."""
+    goal = _place(mind, model)
+    own = (math.dist(mind.position or goal, goal), mind.robot_id)
+    return all(own < (_way_by_its_task(mind, robot, goal), robot.id) for robot in rivals)
+
+
+def _way_by_its_task(mind: Mind, robot: RobotModel, goal: Position) -> float:
+    start = robot.position or goal
+    task = mind.tasks.get(robot.task)
+    if task is None or task.place is None or task.holder != robot.id:
+        return math.dist(start, goal)
+    return math.dist(start, task.place) + math.dist(task.place, goal)
 
 
 def _rough_schedule(mind: Mind, models: Sequence[TaskModel], rivals: Iterable[RobotModel]) -> List[TaskModel]:

@@ -56,6 +56,8 @@ class DemirCfParameters:
         handling: whether robots warn, answer and yield where their beliefs differ.
         gives_way: whether, under the time objective, a request near by at less than its own task makes it wait
             (Algorithm 3''); under the path objective it always does (3').
+        looks_ahead: whether, under the time objective, it takes from another's cell what it reaches first, when it has
+            nothing else to do.
         literal_award: whether it takes awards only while it has nothing else to do, as Algorithm 3 is printed; counts
             for the time objective.
         retry: after what time it thinks again of a task that could not be reached, twice as long each time; 0: only
@@ -77,6 +79,7 @@ class DemirCfParameters:
     margin: float = 0.1
     handling: bool = True
     gives_way: bool = False
+    looks_ahead: bool = False
     literal_award: bool = False
     retry: float = 30.0
     unknown_cost: float = 1000.0
