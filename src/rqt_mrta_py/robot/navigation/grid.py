@@ -150,8 +150,10 @@ class OccupancyGrid:
             reach = math.hypot(length, width) / 2.0 + self._clearance
 
             def covered(dx: NDArray[np.float64], dy: NDArray[np.float64]) -> NDArray[np.bool_]:
-                beyond_x = np.maximum(np.abs(cos * dx + sin * dy) - length / 2.0, 0.0)
-                beyond_y = np.maximum(np.abs(cos * dy - sin * dx) - width / 2.0, 0.0)
+                # A box along the axes, as maps are made of by the hundred, is a matter of its rows and its columns.
+                along, aside = (dx, dy) if sin == 0.0 and cos == 1.0 else (cos * dx + sin * dy, cos * dy - sin * dx)
+                beyond_x = np.maximum(np.abs(along) - length / 2.0, 0.0)
+                beyond_y = np.maximum(np.abs(aside) - width / 2.0, 0.0)
                 return np.asarray(
                     (beyond_x**2 + beyond_y**2 < self._clearance**2) | ((beyond_x == 0.0) & (beyond_y == 0.0)),
                     dtype=np.bool_,

@@ -80,6 +80,7 @@ class Journey:
         self._map_revision = setup.map_revision
         self._revision = 0
         self._no_way_since: Optional[float] = None
+        self._problem = ""
         self._driver = Driver(setup.model, setup.random)
         self._next_point, self._cut_corner, self._look_ahead = (
             min(length, radii * setup.model.radius) for length, radii in (_NEXT_POINT, _CUT_CORNER, _LOOK_AHEAD)
@@ -117,9 +118,9 @@ class Journey:
         """Carry out one control tick."""
         if pose.distance(self._place) <= self._settings.tolerance:
             return JourneyStep(JourneyState.ARRIVED)
-        problem = self._set_out(now, pose) if self._field is None else self._follow_map(now, pose)
-        if problem:
-            return self._without_way(now, problem)
+        self._plan(now, pose)
+        if self._problem:
+            return self._without_way(now)
         self._no_way_since = None
         if self._out_of_patience(now, pose):
             return JourneyStep(JourneyState.NO_WAY, detail=f"came no nearer for {self._settings.patience:g} s")
@@ -130,32 +131,32 @@ class Journey:
         self._replan_if_barred(now, pose, sight, as_wished)
         return JourneyStep(JourneyState.UNDER_WAY, _slow_down(twist, pose.distance(self._place)))
 
-    def _without_way(self, now: float, problem: str) -> JourneyStep:
+    def _plan(self, now: float, pose: Pose) -> None:
+        """Plan at the beginning, and whenever the map has changed; note why there is no way, if there is none."""
+        revision = 0 if self._map_revision is None else self._map_revision()
+        begins = self._field is None and self._no_way_since is None
+        if not begins and revision == self._revision:
+            return
+        self._revision = revision
+        nearer_at, last = self._nearer_at, self._last
+        self._problem = self._set_out(now, pose)
+        left = self._field.at(pose) if self._field and not self._problem else None
+        if not begins and left is not None and math.isfinite(self._least_left):
+            # A way that has turned out longer is no step back, and a new plan no step ahead.
+            self._least_left = max(self._least_left, left)
+            self._nearer_at, self._last = nearer_at, last
+
+    def _without_way(self, now: float) -> JourneyStep:
         """Give up at once on a map that stays; on one that changes, look around first."""
-        self._field = None
         if self._no_way_since is None:
             self._no_way_since = now
         if self._map_revision is None or now - self._no_way_since >= _LOOK_AROUND:
-            return JourneyStep(JourneyState.NO_WAY, detail=problem)
+            return JourneyStep(JourneyState.NO_WAY, detail=self._problem)
         return JourneyStep(JourneyState.UNDER_WAY)
-
-    def _follow_map(self, now: float, pose: Pose) -> str:
-        """Plan again if the map has changed; return why there is no way, or nothing."""
-        if self._map_revision is None or self._map_revision() == self._revision:
-            return ""
-        nearer_at, last = self._nearer_at, self._last
-        problem = self._set_out(now, pose)
-        self._nearer_at, self._last = nearer_at, last
-        left = self._field.at(pose) if self._field and not problem else None
-        if left is not None and math.isfinite(self._least_left):
-            # A way that has turned out longer is no step back.
-            self._least_left = max(self._least_left, left)
-        return problem
 
     def _set_out(self, now: float, pose: Pose) -> str:
         """Plan on the known map; return why there is no way, or nothing."""
-        if self._map_revision is not None:
-            self._revision = self._map_revision()
+        self._field = None
         self._navigator.observe(())
         points = self._navigator.path(pose, self._place)
         if points is None:
