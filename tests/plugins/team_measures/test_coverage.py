@@ -105,5 +105,5 @@ def test_nothing_is_told_of_an_arena_without_free_floor() -> None:
 def test_measure_and_statistic_come_through_the_hooks_that_everybody_uses() -> None:
     manager = PluginManager()
     manager.register(team_measures.plugin, "team_measures")
-    assert list(manager.registered("mrta_register_measures")) == ["arena_coverage"]
+    assert list(manager.registered("mrta_register_measures")) == ["arena_coverage", "travel"]
     assert list(manager.registered("mrta_register_statistics")) == ["task_shares"]

@@ -1,4 +1,4 @@
-"""The hooks: measure ``arena_coverage``, statistic ``task_shares``."""
+"""The hooks: measures ``arena_coverage`` and ``travel``, statistic ``task_shares``."""
 
 from __future__ import annotations
 
@@ -7,14 +7,15 @@ from typing import Mapping
 from rqt_mrta_py.hooks import MeasureFactory, Statistic, hookimpl
 from team_measures.coverage import ArenaCoverage
 from team_measures.task_shares import task_shares
+from team_measures.travel import Travel
 
 __all__ = ["mrta_register_measures", "mrta_register_statistics"]
 
 
 @hookimpl
 def mrta_register_measures() -> Mapping[str, MeasureFactory]:
-    """Name the measure."""
-    return {"arena_coverage": ArenaCoverage}
+    """Name the measures."""
+    return {"arena_coverage": ArenaCoverage, "travel": Travel}
 
 
 @hookimpl

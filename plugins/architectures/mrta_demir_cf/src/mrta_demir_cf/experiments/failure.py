@@ -9,7 +9,7 @@ from team_measures.statistics.tables import estimate_line
 from mrta_demir_cf.experiments.part import Options
 from mrta_demir_cf.experiments.point_team import Mission
 from mrta_demir_cf.experiments.points import carry_out, estimates, random_team, row, table
-from rqt_mrta_py.hooks import BenchmarkReport, Chart, Figure, Laboratory
+from rqt_mrta_py.hooks import BenchmarkReport, Chart, Figure, Laboratory, LineStyle
 
 __all__ = ["measure_failures"]
 
@@ -30,7 +30,7 @@ def measure_failures(options: Options, laboratory: Laboratory) -> BenchmarkRepor
     names = tuple(label for label, _, _ in _CASES)
     charts = tuple(
         Chart(
-            (estimate_line("", numbers, [estimates(missions[label])[name] for label in names]),),
+            (estimate_line("", numbers, [estimates(missions[label])[name] for label in names], LineStyle.BARS),),
             text,
             x_ticks=names,
             bottom=0.0,
