@@ -4,13 +4,19 @@ from __future__ import annotations
 
 import math
 from argparse import ArgumentParser, Namespace
-from typing import Tuple
+from typing import Iterator, List, Sequence, Tuple
 
 import pytest
 from mrta_demir_cf.experiments.benchmark import PARTS, add_arguments, measure
 from mrta_demir_cf.experiments.part import Options
 from mrta_demir_cf.experiments.point_team import PointTeam
 from mrta_demir_cf.experiments.points import COLUMNS, carry_out, random_team, row
+from mrta_demir_cf.experiments.simulated import COLUMNS as SIMULATED_COLUMNS
+from mrta_demir_cf.experiments.simulated import SimulatedMission, summed_up
+from mrta_demir_cf.experiments.simulated import row as simulated_row
+
+from rqt_mrta_py.hooks import Experiment, Trial
+from rqt_mrta_py.model import MapKnowledge, MissionRecord, RobotRecord, TaskInterval, TaskRecord, TaskState, Taxonomy
 
 QUICK = Options(seeds=2, quick=True)
 ON_MESSAGE_LEVEL = ("team_size", "contingency", "failure", "online")
@@ -80,3 +86,60 @@ def test_wrong_usage_is_refused(arguments: Tuple[str, ...], capsys: pytest.Captu
     with pytest.raises(SystemExit):
         told(*arguments)
     assert arguments[1] in capsys.readouterr().err.splitlines()[-1]
+
+
+def record(done: Sequence[float], waiting: int, travelled: float) -> MissionRecord:
+    tasks = [
+        TaskRecord(
+            f"t{number}",
+            (TaskInterval(TaskState.WAITING, 1.0, moment), TaskInterval(TaskState.DONE, moment, 99.0)),
+        )
+        for number, moment in enumerate(done)
+    ]
+    tasks += [TaskRecord(f"w{number}", (TaskInterval(TaskState.WAITING, 1.0, 99.0),)) for number in range(waiting)]
+    robots = tuple(RobotRecord(f"r{number}", ()) for number in range(2))
+    statistics = {"travel": {"team": travelled, "robots": {}}, "reallocations": 2}
+    taxonomy = Taxonomy.parse("ST-SR-IA")
+    return MissionRecord(None, None, taxonomy, 0, 1.0, 99.0, robots, tuple(tasks), (), (), (), statistics)
+
+
+class ScriptedLaboratory:
+    """Gives the same record for every experiment and remembers them."""
+
+    def __init__(self, record: MissionRecord) -> None:
+        self.record = record
+        self.asked: List[Experiment] = []
+
+    def trials(self, experiments: Sequence[Experiment]) -> Iterator[Trial]:
+        self.asked += experiments
+        said = {"demir_cf_msgs/Request": 3, "demir_cf_msgs/Hello": 50, "demir_cf_msgs/Unachievability": 1, "tf/tf": 9}
+        for experiment in experiments:
+            yield Trial(experiment, self.record, said)
+
+
+def test_a_simulated_mission_is_summed_up_from_its_record() -> None:
+    """Two targets, the later one 30 s after the start; requests and announcements count, signs of life do not."""
+    trial = next(ScriptedLaboratory(record([11.0, 31.0], 1, 7.5)).trials([Experiment("any", 0)]))
+    mission = summed_up(trial, wanted=3)
+    assert mission == SimulatedMission(2, 3, 30.0, 7.5, messages=4, reallocations=2, unreachable=1)
+    cells = dict(zip(SIMULATED_COLUMNS, simulated_row([mission])))
+    assert (cells["all visited"], cells["time [s]"]) == ("0 of 1", None)
+
+
+def test_in_simulation_robots_get_the_targets_that_can_be_reached_and_one_is_lost_half_way() -> None:
+    laboratory = ScriptedLaboratory(record([11.0, 31.0], 1, 7.5))
+    report = PARTS["simulation"].measure(QUICK, laboratory)  # type: ignore[arg-type]
+    assert [row[0] for row in report.tables[0].rows] == ["2", "2, one lost half-way"]
+    first, *whole = laboratory.asked[:3]
+    assert first.tasks is None
+    assert [(each.tasks, each.robots, each.seed) for each in whole] == [(("t0", "t1"), 2, 0), (("t0", "t1"), 2, 1)]
+    stops = [each.events for each in laboratory.asked[3:]]
+    assert [[(event.time, event.robot) for event in each or ()] for each in stops] == [[(15.0, "r0")], [(15.0, "r1")]]
+
+
+def test_maps_are_known_and_unknown_to_three_robots_with_all_targets() -> None:
+    laboratory = ScriptedLaboratory(record([11.0], 0, 7.5))
+    report = PARTS["map"].measure(QUICK, laboratory)  # type: ignore[arg-type]
+    assert [row[0] for row in report.tables[0].rows] == ["known", "unknown"]
+    asked = [(each.map, each.tasks, each.robots) for each in laboratory.asked[1:]]
+    assert asked == [(MapKnowledge.KNOWN, None, 3)] * 2 + [(MapKnowledge.UNKNOWN, None, 3)] * 2

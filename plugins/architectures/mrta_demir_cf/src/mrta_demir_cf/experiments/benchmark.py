@@ -9,8 +9,10 @@ from typing import Dict, List, Tuple
 
 from mrta_demir_cf.experiments.contingency import measure_contingencies
 from mrta_demir_cf.experiments.failure import measure_failures
+from mrta_demir_cf.experiments.maps import measure_maps
 from mrta_demir_cf.experiments.online import measure_online_tasks
 from mrta_demir_cf.experiments.part import Options, Part
+from mrta_demir_cf.experiments.simulation import measure_simulation
 from mrta_demir_cf.experiments.team_size import measure_team_sizes
 from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Figure, Laboratory
 
@@ -23,6 +25,8 @@ PARTS: Dict[str, Part] = {
     "contingency": Part("messages and robots lost, handling on and off, on message level", measure_contingencies),
     "failure": Part("six targets, one robot, three, one of them lost, on message level", measure_failures),
     "online": Part("targets that turn up on the way, on message level", measure_online_tasks),
+    "simulation": Part("teams of several sizes and a robot that fails, simulated", measure_simulation),
+    "map": Part("with a map and without, simulated", measure_maps),
 }
 """All parts, by name, in the order of measuring."""
 
