@@ -126,14 +126,14 @@ class Script:
         return said
 
     def requested(self) -> Script:
-        """Go on until the robot has requested something: it listens for a second first."""
-        self.wait(1.5)
+        """Go on until the robot has requested something: it listens for T_reply first."""
+        self.wait(self.agent.mind.told.reply_timeout + CYCLE)
         assert self.agent.mind.auction is not None
         return self
 
     def executing(self) -> Script:
         """Go on until the robot has set out."""
-        self.requested().wait(1.0)
+        self.requested().wait(self.agent.mind.told.reply_timeout)
         assert self.carried_out is not None
         return self
 

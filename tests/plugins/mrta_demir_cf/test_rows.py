@@ -189,10 +189,17 @@ def test_row_11_award_to_another_closes_the_auction() -> None:
 
 
 def test_row_12_request_at_more_is_told_who_keeps_the_auction() -> None:
-    script = Script(NEAR).requested()
+    script = Script(NEAR, reply_timeout=2.0).requested()
+    script.step()
     (warning,) = script.step(script.request("c", "t", 4.0))
     assert (warning.kind, warning.recipient, warning.state) == (Kind.WARNING, "c", WarnedState.REQUESTED)
     assert (warning.holder, warning.cost) == (ME, 4.0)
+    assert script.state("t") is B.REQUESTED
+
+
+def test_row_12_request_at_more_that_crossed_the_own_needs_no_word() -> None:
+    script = Script(NEAR).requested()
+    assert script.step(script.request("c", "t", 4.0)) == []
     assert script.state("t") is B.REQUESTED
 
 

@@ -19,6 +19,9 @@ from mrta_demir_cf.task_states import TaskBelief, TaskEvent
 __all__ = ["ModelUpdate"]
 
 _CLAIMS = (Kind.REQUEST, Kind.EXECUTION, Kind.BID, Kind.AWARD, Kind.EXCHANGE)
+# What two robots say in one cycle they hear in the next [cycles].
+_CROSSING = 1.5
+
 _ENDS = (Kind.COMPLETION, Kind.CANCELLATION, Kind.UNACHIEVABILITY)
 
 
@@ -132,7 +135,8 @@ class ModelUpdate:
                 model.claim(message.robot, message.cost, mind.now)
             else:
                 mind.change(model, TaskEvent.RIVAL_DEARER)
-                self._consistency.warn(message.robot, model)
+                if not self._crosses():
+                    self._consistency.warn(message.robot, model)
         elif belief is not TaskBelief.ASSIGNED:
             known = model.key
             row = mind.change(model, TaskEvent.REQUEST_HEARD)
@@ -142,6 +146,12 @@ class ModelUpdate:
                 model.heard = mind.now
             if row is not None:
                 respond(mind, message, model)
+
+    def _crosses(self) -> bool:
+        """Tell whether this robot's request is so new that another could not know of it when it spoke."""
+        mind, auction = self._mind, self._mind.auction
+        opened = mind.now if auction is None else auction.deadline - mind.told.reply_timeout
+        return mind.now - opened < _CROSSING / mind.told.rate
 
     def _request_for_executed(self, message: Message, model: TaskModel) -> None:
         mind = self._mind
