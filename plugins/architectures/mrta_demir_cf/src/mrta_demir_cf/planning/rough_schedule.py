@@ -10,7 +10,7 @@ import numpy as np
 
 from mrta_demir_cf.planning.arrays import Floats, Indices, Mask, checked_mask, checked_points, squared_distances
 
-__all__ = ["rough_schedule"]
+__all__ = ["owners", "rough_schedule"]
 
 _ROWS = 32
 """Robots whose distances to all targets are looked at together: bounds the memory by O(M + N)."""
@@ -43,16 +43,24 @@ def rough_schedule(robot: int, robots: Floats, targets: Floats, open: Mask) -> I
     candidates = np.flatnonzero(checked_mask("open", open, len(targets)))
     if not 0 <= robot < len(robots):
         raise ValueError(f"robot: is {robot}; give a row of robots, 0 <= robot < {len(robots)}")
-    places = targets[candidates]
-    own = squared_distances(robots[robot], places)
-    mine = (own < _least(robots[:robot], places)) & (own <= _least(robots[robot + 1 :], places))
-    return candidates[mine]
+    schedule: Indices = candidates[owners(robots, targets[candidates]) == robot]
+    return schedule
 
 
-def _least(robots: Floats, places: Floats) -> Floats:
-    """Give the square of the distance from each place to its nearest robot [m^2]; infinite without robots."""
-    least = np.full(len(places), np.inf)
+def owners(robots: Floats, targets: Floats) -> Indices:
+    """Tell for each target the row of its nearest robot, of equally near ones the first: whose Voronoi cell it is in.
+
+    Args:
+        robots: (M, 2) [m], at least one.
+        targets: (N, 2) [m].
+    """
+    least = np.full(len(targets), np.inf)
+    nearest = np.zeros(len(targets), dtype=np.intp)
+    everywhere = np.arange(len(targets))
     for first in range(0, len(robots), _ROWS):
-        squares = squared_distances(robots[first : first + _ROWS, None, :], places)
-        np.minimum(least, squares.min(axis=0), out=least)
-    return least
+        squares = squared_distances(robots[first : first + _ROWS, None, :], targets)
+        rows = squares.argmin(axis=0)
+        nearer = squares[rows, everywhere] < least
+        least[nearer] = squares[rows, everywhere][nearer]
+        nearest[nearer] = rows[nearer] + first
+    return nearest
