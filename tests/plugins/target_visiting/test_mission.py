@@ -47,7 +47,7 @@ def test_one_target_cannot_be_reached_and_each_other_one_from_everywhere(mission
             assert way[-1].distance(task.place) <= task.data["tolerance"]
 
 
-@pytest.mark.parametrize(("knowledge", "duration"), [(MapKnowledge.KNOWN, 45.0), (MapKnowledge.UNKNOWN, 60.0)])
+@pytest.mark.parametrize(("knowledge", "duration"), [(MapKnowledge.KNOWN, 45.0), (MapKnowledge.UNKNOWN, 80.0)])
 def test_three_robots_visit_what_can_be_reached_and_tell_of_the_rest(knowledge: MapKnowledge, duration: float) -> None:
     (trial,) = carried_out(
         [Experiment("target_visiting", 1, world="planar", robots=3, map=knowledge, duration=duration)]
