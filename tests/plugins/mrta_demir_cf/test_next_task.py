@@ -92,3 +92,24 @@ def test_robot_that_looks_ahead_takes_what_it_reaches_before_a_busy_neighbour(
     script.step(script.execution("a", "z", 9.0, (4.0, 1.0)))
     said = script.wait(2.0, "a")
     assert [message.task for message in said if message.kind is Kind.REQUEST] == requests
+
+
+def test_robot_that_imagines_its_route_begins_with_the_near_end_of_it() -> None:
+    """t2, t1, t3 is 12 m; t1, t2, t3 is 10 m, and what UEM finds as well; the request tells the way to t1."""
+    (request,) = Script(EXAMPLE, cost="rollout", objective="path").wait(1.5)
+    assert (request.task, request.cost) == ("t1", 2.0)
+
+
+def test_robot_that_imagines_leaves_to_its_neighbour_what_that_one_passes_by() -> None:
+    """t is 4 m away, and 5 m from a, which goes to u beyond it in any case."""
+    places = {"t": (0.0, 4.0), "u": (0.0, 3.0), "v": (0.0, -2.0)}
+    script = Script(places, cost="rollout", objective="path")
+    script.step(script.hello("a", (0.0, 9.0)))
+    (request,) = script.wait(1.0)
+    assert request.task == "v"
+
+
+def test_robot_that_imagines_passes_over_idle_neighbours_like_others() -> None:
+    script = Script({"t": (4.0, 0.0)}, cost="rollout")
+    script.step(script.hello("a", (4.0, 1.0)))
+    assert kinds(script.wait(9.0, "a"))[0] is Kind.REQUEST

@@ -23,16 +23,20 @@ Differs from the paper:
 from __future__ import annotations
 
 import math
-from typing import Iterable, List, NamedTuple, Optional, Sequence
+from typing import TYPE_CHECKING, Iterable, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
 from mrta_demir_cf.mind import Mind
+from mrta_demir_cf.parameters import ROLLOUT
 from mrta_demir_cf.planning.rough_schedule import rough_schedule
 from mrta_demir_cf.planning.selection import select
 from mrta_demir_cf.robot_model import RobotModel
 from mrta_demir_cf.task_model import Position, TaskModel
 from mrta_demir_cf.task_states import TaskBelief
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 __all__ = ["Choice", "find_next"]
 
@@ -62,9 +66,12 @@ def find_next(mind: Mind) -> Optional[Choice]:
         return None
     candidates = [mind.tasks[task] for task in mind.definitions if _is_open(mind, mind.tasks[task])]
     rivals = [robot for robot in mind.robots.values() if robot.is_present and not _is_bound(mind, robot)]
-    schedule = _rough_schedule(mind, candidates, rivals)
+    if mind.told.cost == ROLLOUT:
+        schedule, choice = _imagined(mind, candidates, rivals)
+    else:
+        schedule = _rough_schedule(mind, candidates, rivals)
+        choice = _cheapest(mind, schedule)
     mind.schedule = tuple(_place(mind, model) for model in schedule)
-    choice = _cheapest(mind, schedule)
     if choice is None and mind.mine is None and mind.told.looks_ahead and not mind.told.keeps_paths_short:
         choice = _cheapest(
             mind, [model for model in candidates if model.is_free and _reaches_first(mind, model, rivals)]
@@ -113,17 +120,40 @@ def _way_by_its_task(mind: Mind, robot: RobotModel, goal: Position) -> float:
     return math.dist(start, task.place) + math.dist(task.place, goal)
 
 
+def _imagined(
+    mind: Mind, models: Sequence[TaskModel], rivals: Iterable[RobotModel]
+) -> Tuple[List[TaskModel], Optional[Choice]]:
+    """Give what an imagined auction leaves to the robot, and the first task of its route (``planning.rollout``)."""
+    from mrta_demir_cf.planning.rollout import Rollout
+
+    told = [(model, cost) for model, cost in ((model, mind.cost(model.id)) for model in models) if cost is not None]
+    if not told:
+        return [], None
+    place, robots = _places(mind, rivals)
+    targets = np.array([_place(mind, model) for model, _ in told], dtype=np.float64)
+    costs = np.array([cost for _, cost in told], dtype=np.float64)
+    rule = Rollout(balance=not mind.told.keeps_paths_short)
+    selection = rule(place, robots, targets, np.ones(len(told), np.bool_), distances=costs)
+    schedule = [told[index][0] for index in selection.schedule.tolist()]
+    return schedule, None if selection.chosen is None else Choice(*told[selection.chosen])
+
+
 def _rough_schedule(mind: Mind, models: Sequence[TaskModel], rivals: Iterable[RobotModel]) -> List[TaskModel]:
     """Give the tasks that no rival is nearer to (Eq. 1), in their order."""
     if not models:
         return []
+    place, robots = _places(mind, rivals)
+    targets = np.array([_place(mind, model) for model in models], dtype=np.float64)
+    mine = rough_schedule(place, robots, targets, np.ones(len(models), np.bool_))
+    return [models[index] for index in mine.tolist()]
+
+
+def _places(mind: Mind, rivals: Iterable[RobotModel]) -> Tuple[int, NDArray[np.float64]]:
+    """Give which row this robot is, and where it and its rivals are, in the order of ids."""
     places = {robot.id: robot.position for robot in rivals}
     places[mind.robot_id] = mind.position
     ids = sorted(places)
-    robots = np.array([places[robot] for robot in ids], dtype=np.float64)
-    targets = np.array([_place(mind, model) for model in models], dtype=np.float64)
-    mine = rough_schedule(ids.index(mind.robot_id), robots, targets, np.ones(len(models), np.bool_))
-    return [models[index] for index in mine.tolist()]
+    return ids.index(mind.robot_id), np.array([places[robot] for robot in ids], dtype=np.float64)
 
 
 def _cheapest(mind: Mind, schedule: Sequence[TaskModel]) -> Optional[Choice]:
