@@ -47,14 +47,26 @@ def test_one_target_cannot_be_reached_and_each_other_one_from_everywhere(mission
             assert way[-1].distance(task.place) <= task.data["tolerance"]
 
 
-@pytest.mark.parametrize(("knowledge", "duration"), [(MapKnowledge.KNOWN, 45.0), (MapKnowledge.UNKNOWN, 80.0)])
-def test_three_robots_visit_what_can_be_reached_and_tell_of_the_rest(knowledge: MapKnowledge, duration: float) -> None:
-    (trial,) = carried_out(
-        [Experiment("target_visiting", 1, world="planar", robots=3, map=knowledge, duration=duration)]
-    )
+def test_three_robots_that_know_the_map_visit_what_can_be_reached_and_tell_of_the_rest() -> None:
+    (trial,) = carried_out([Experiment("target_visiting", 1, world="planar", robots=3, duration=45.0)])
     assert visited(trial) == REACHABLE
-    assert trial.messages[TOLD] >= 1
+    assert trial.messages[TOLD] == 1
     assert trial.record.incidents == ()
+
+
+def test_three_robots_that_map_find_out_that_a_target_cannot_be_reached() -> None:
+    """They first go there: nobody tells before a robot has tried."""
+    tasks = ("target5", "target6", UNREACHABLE)
+    experiment = Experiment(
+        "target_visiting", 1, world="planar", robots=3, map=MapKnowledge.UNKNOWN, duration=40.0, tasks=tasks
+    )
+    (trial,) = carried_out([experiment])
+    assert visited(trial) == {"target5", "target6"}
+    assert trial.messages[TOLD] >= 1
+    tried = [allocation for allocation in trial.record.allocations if allocation.task == UNREACHABLE]
+    assert tried
+    assert tried[0].end is not None
+    assert tried[0].end - tried[0].start > 2.0
 
 
 def test_equal_missions_on_unknown_maps_are_equal() -> None:
