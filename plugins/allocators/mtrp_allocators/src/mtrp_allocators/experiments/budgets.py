@@ -44,7 +44,7 @@ def measure_budgets(options: Options) -> BenchmarkReport:
         "Total length over the proved optimum, solvers with a given time",
         ("method", *(f"{robots} robots, {targets} targets" for robots, targets in sizes)),
         tuple(rows),
-        ("Solvers know everything at once and plan centrally; EYH and UEM decide target by target.", MEANS),
+        ("Solvers know everything at once and plan centrally; EYH, UEM and rollout decide target by target.", MEANS),
     )
     return BenchmarkReport((table,))
 
@@ -54,6 +54,7 @@ def _ways(options: Options) -> Dict[str, Callable[[Instance], Routes]]:
     return {
         "EYH": methods["EYH"],
         "UEM": methods["UEM"],
+        "rollout": methods["rollout"],
         "OR-tools, first solution": lambda instance: route_with_ortools(distances(*instance), 0.0),
         "OR-tools, 0.1 s": lambda instance: route_with_ortools(distances(*instance), 0.1),
         "OR-tools, 1 s": lambda instance: route_with_ortools(distances(*instance), 1.0),

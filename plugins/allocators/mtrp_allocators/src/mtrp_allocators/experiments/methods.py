@@ -6,6 +6,7 @@ from typing import Callable, Dict
 
 from mrta_demir_cf.planning.costs import ALPHA, eyh_cost, uem_cost
 from mrta_demir_cf.planning.missions import parallel, sequential
+from mrta_demir_cf.planning.rollout import Rollout
 from mrta_demir_cf.planning.selection import Rule, selects_by
 
 from mtrp_allocators.allocators import METHODS
@@ -32,7 +33,11 @@ def total_methods(alpha: float = ALPHA) -> Dict[str, RouteFinder]:
     Args:
         alpha: of UEM.
     """
-    found = {"EYH": _one_at_a_time(selects_by(eyh_cost)), "UEM": _one_at_a_time(selects_by(uem_cost(alpha)))}
+    found = {
+        "EYH": _one_at_a_time(selects_by(eyh_cost)),
+        "UEM": _one_at_a_time(selects_by(uem_cost(alpha))),
+        "rollout": _one_at_a_time(Rollout()),
+    }
     others = ("prim_original", "prim_lightest_first", "single_item_sum", "iterated_assignment", "nearest_target")
     return {**found, **{_LABELS[name]: _planned(name) for name in others}}
 
@@ -48,6 +53,7 @@ def time_methods(alpha: float = ALPHA) -> Dict[str, Callable[[Instance], float]]
     found: Dict[str, Callable[[Instance], float]] = {
         "EYH, all at once": lambda instance: parallel(*instance, selects_by(eyh_cost)).makespan,
         "UEM, all at once": lambda instance: parallel(*instance, selects_by(uem_cost(alpha))).makespan,
+        "rollout, all at once": lambda instance: parallel(*instance, Rollout(balance=True)).makespan,
         "EYH, one at a time": lambda instance: sequential(*instance, selects_by(eyh_cost)).makespan,
     }
     others = ("single_item_makespan", "single_item_sum", "prim_lightest_first")

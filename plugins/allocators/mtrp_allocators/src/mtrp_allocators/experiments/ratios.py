@@ -54,7 +54,7 @@ def _summary(ratios: _Ratios) -> BenchmarkTable:
         tuple(rows),
         (
             "Robots and targets are strewn evenly over a square; the optimum of every instance is proved.",
-            "EYH and UEM decide target by target, one robot at a time; all others plan all routes at once.",
+            "EYH, UEM and rollout decide target by target, one robot at a time; all others plan all routes at once.",
             MEANS,
         ),
     )
