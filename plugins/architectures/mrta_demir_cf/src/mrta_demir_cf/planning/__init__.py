@@ -3,6 +3,7 @@
 * ``rough_schedule``: Eq. 1, which targets a robot counts upon; ``costs``: Eq. 2 and 3; ``selection``: Algorithm 1
 * ``farthest_pair``: the pair of Eq. 3 under the rule for ties; ``arrays``: shapes and checks
 * ``missions``: whole missions decided offline under three semantics; ``mission``: what becomes of one
+* ``large_missions``: the same, soon, for a thousand robots; ``pruning``, ``target_grid``: by looking at few targets
 * ``rollout``: an improvement of the rough schedule, which imagines what neighbours will do
 * ``compiled``: the door to numba; ``kernels``: what it compiles
 * ``tsplib``: instances of the travelling salesman problem from files
