@@ -16,7 +16,7 @@ from mrta_demir_cf.planning.arrays import Floats, Mask, checked_points, squared_
 from mrta_demir_cf.planning.mission import Mission
 from mrta_demir_cf.planning.selection import Rule
 
-__all__ = ["commit_until_arrival", "parallel", "sequential"]
+__all__ = ["commit_until_arrival", "parallel", "retry_gap", "sequential"]
 
 
 def sequential(robots: Floats, targets: Floats, rule: Rule) -> Mission:
@@ -97,7 +97,7 @@ def commit_until_arrival(robots: Floats, targets: Floats, rule: Rule) -> Mission
     """Let each robot decide when it has arrived, among the unclaimed targets of its cell, and keep to that.
 
     Other robots count where they are at that moment. A robot that finds nothing waits; those who wait try again, in
-    their order, after each m/4 + 1 arrivals, where m robots are moving, and when nobody moves.
+    their order, from time to time (see ``retry_gap``) and when nobody moves.
 
     Args:
         robots: (M, 2) start places [m].
@@ -127,7 +127,7 @@ def commit_until_arrival(robots: Floats, targets: Floats, rule: Rule) -> Mission
             departures[robot] = now
             since_retry += 1
             deciding = [robot]
-            if since_retry > len(moving) // 4:
+            if since_retry > retry_gap(len(moving), len(starts)):
                 since_retry = 0
                 deciding += waiting
         found = False
@@ -148,6 +148,14 @@ def commit_until_arrival(robots: Floats, targets: Floats, rule: Rule) -> Mission
         under_way = {robot for _, robot in moving}
         waiting = [robot for robot in range(len(starts)) if robot not in under_way]
     return _mission(routes, lengths, max(arrivals, default=0.0), decisions)
+
+
+def retry_gap(moving: int, team: int) -> int:
+    """Tell how many arrivals must be exceeded before robots that wait try again.
+
+    A quarter of the team; where less than that moves, as after a start from one depot, a quarter of those that do.
+    """
+    return team // 4 if 4 * moving >= team else moving // 4
 
 
 def _places_at(now: float, starts: Floats, goals: Floats, departures: Floats, arrivals: Floats) -> Floats:

@@ -9,9 +9,12 @@ import numpy as np
 from mrta_demir_cf.planning.arrays import Floats, Indices
 from mrta_demir_cf.planning.compiled import kernel
 from mrta_demir_cf.planning.kernels.cells import decide
+from mrta_demir_cf.planning.missions import retry_gap
 from mrta_demir_cf.planning.target_grid import TargetGrid
 
 __all__ = ["run_arrivals"]
+
+_retry_gap = kernel(retry_gap)
 
 
 @kernel
@@ -54,7 +57,7 @@ def run_arrivals(
             departures[arrived] = now
             moving[arrived] = False
             since_retry += 1
-            if since_retry > (under_way - 1) // 4:
+            if since_retry > _retry_gap(under_way - 1, team):
                 since_retry = 0
                 retry = True
         for robot in range(team):
