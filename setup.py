@@ -14,16 +14,17 @@ HERE = Path(__file__).resolve().parent
 # Lower bounds: what Debian 12 carries or Python 3.8 can install. Upper bounds: the next major version.
 EXTRAS = {
     "bag": ["rosbags>=0.9.20,<0.12", "lz4>=4.0,<5"],
-    # Its last version for Python 3.8 is 0.58.
-    "compiled": ["numba>=0.56,<1"],
     "plot": ["opencv-python-headless>=4.6,<6", "matplotlib>=3.6,<4", "pillow>=9.4,<14"],
     "sim": ["pybullet>=3.2.5,<4", "scipy>=1.10,<2"],
     "terminal": ["rich>=13,<16"],
 }
 EXTRAS["all"] = [requirement for name in sorted(EXTRAS) for requirement in EXTRAS[name]]
-# What routes of the multiple travelling robot problem are measured against; large, and for benchmarks alone.
+# Large, and wanted by few: decisions of thousands of robots, compiled (the last version for Python 3.8 is 0.58), and
+# what routes of the multiple travelling robot problem are measured against.
+EXTRAS["compiled"] = ["numba>=0.56,<1"]
 EXTRAS["references"] = ["ortools>=9.8,<10", "pyvrp>=0.14,<0.15; python_version >= '3.11'"]
 EXTRAS["test"] = [
+    *EXTRAS["compiled"],
     *EXTRAS["references"],
     "pytest>=8,<10",
     "hypothesis>=6.100,<7",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import importlib
+import os
 import sys
 from pathlib import Path
 from typing import Callable, List
@@ -29,6 +30,9 @@ def pytest_configure(config: pytest.Config) -> None:
         # For properties that do not say themselves how many examples they need.
         settings.register_profile("long", settings(), max_examples=400)
         settings.load_profile("long")
+    else:
+        # Compiling takes a minute; what would be compiled gives the same numbers as it stands.
+        os.environ["NUMBA_DISABLE_JIT"] = "1"
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: List[pytest.Item]) -> None:

@@ -14,6 +14,7 @@ from mtrp_allocators.experiments.makespans import measure_makespans
 from mtrp_allocators.experiments.part import Options, Part
 from mtrp_allocators.experiments.published import measure_published
 from mtrp_allocators.experiments.ratios import measure_ratios
+from mtrp_allocators.experiments.scale import measure_scale
 from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Figure, Laboratory
 
 __all__ = ["PARTS", "add_arguments", "measure"]
@@ -24,6 +25,7 @@ PARTS: Dict[str, Part] = {
     "ratios": Part("total length over the proved optimum", measure_ratios),
     "decision": Part("time of one robot's decision", measure_decisions),
     "makespan": Part("longest route over the best known", measure_makespans),
+    "scale": Part("whole missions of large teams", measure_scale),
     "budget": Part("against solvers with a given time", measure_budgets),
 }
 """All parts, by name, in the order of measuring."""
