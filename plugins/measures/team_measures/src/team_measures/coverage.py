@@ -9,6 +9,7 @@ import numpy as np
 from rqt_mrta_py.hooks import Heard, MeasureSetup, Subscription
 from rqt_mrta_py.model import MissionRecord
 from team_measures.floor import Bands, Floor, Patch
+from team_measures.poses import FRAME, MAP_FRAMES, POSES, X, Y
 
 __all__ = ["REACH", "ArenaCoverage"]
 
@@ -24,9 +25,6 @@ _SPOT = 0.05
 
 _TOGETHER = 100
 """How many robots are looked at together: few calls for many robots, little memory for those that went far."""
-
-_FRAME, _X, _Y = "header/frame_id", "pose/position/x", "pose/position/y"
-_POSES = Subscription("/@robot_id@/pose", "geometry_msgs/PoseStamped", (_FRAME, _X, _Y))
 
 
 class ArenaCoverage:
@@ -51,15 +49,15 @@ class ArenaCoverage:
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Say what to hear: poses, where the arena is known."""
-        return () if self._scenario is None else (_POSES,)
+        return () if self._scenario is None else (POSES,)
 
     def hear(self, heard: Heard) -> None:
         """Take in one pose; one that is far off, in another frame or of a stranger is passed over."""
         fields = heard.fields
-        x, y = fields[_X], fields[_Y]
+        x, y = fields[X], fields[Y]
         (left, right), (bottom, top) = self._x_limits, self._y_limits
         # Not so for what is not a number.
-        if not (left <= x <= right and bottom <= y <= top) or fields[_FRAME] not in {"map", "/map"}:
+        if not (left <= x <= right and bottom <= y <= top) or fields[FRAME] not in MAP_FRAMES:
             return
         robot = heard.robot
         spots = self._spots.get(robot)

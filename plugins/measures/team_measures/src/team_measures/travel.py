@@ -7,6 +7,7 @@ from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import Heard, MeasureSetup, Subscription
 from rqt_mrta_py.model import MissionRecord
+from team_measures.poses import FRAME, MAP_FRAMES, POSES, X, Y
 
 __all__ = ["STRIDE", "Travel"]
 
@@ -15,9 +16,6 @@ STRIDE = 0.1
 
 _LEAP = 5.0
 """A pose so far from the one before is no way that was driven: the localiser has lost the robot or found it [m]."""
-
-_FRAME, _X, _Y = "header/frame_id", "pose/position/x", "pose/position/y"
-_POSES = Subscription("/@robot_id@/pose", "geometry_msgs/PoseStamped", (_FRAME, _X, _Y))
 
 
 class Travel:
@@ -38,22 +36,22 @@ class Travel:
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Say what to hear: poses."""
-        return (_POSES,)
+        return (POSES,)
 
     def hear(self, heard: Heard) -> None:
         """Take in one pose; one that is not finite, in another frame or of a stranger is passed over."""
         fields = heard.fields
-        here = (fields[_X], fields[_Y])
+        here = (fields[X], fields[Y])
         robot = heard.robot
         spot = self._spots.get(robot)
         if spot is None:
             known = not self._team or robot in self._team
-            if known and fields[_FRAME] in {"map", "/map"} and math.isfinite(here[0]) and math.isfinite(here[1]):
+            if known and fields[FRAME] in MAP_FRAMES and math.isfinite(here[0]) and math.isfinite(here[1]):
                 self._spots[robot] = here
                 self._ways[robot] = 0.0
             return
         way = math.dist(spot, here)
-        if STRIDE <= way < math.inf and fields[_FRAME] in {"map", "/map"}:
+        if STRIDE <= way < math.inf and fields[FRAME] in MAP_FRAMES:
             self._spots[robot] = here
             if way < _LEAP:
                 self._ways[robot] += way

@@ -6,7 +6,9 @@ import logging
 import time
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from pathlib import Path
-from typing import Dict, List, Tuple
+from typing import Dict, Iterator, Sequence, Tuple
+
+from team_measures.benchmark_parts import add_parts_argument, count, joined
 
 from mtrp_allocators.experiments.budgets import measure_budgets
 from mtrp_allocators.experiments.decisions import measure_decisions
@@ -15,7 +17,7 @@ from mtrp_allocators.experiments.part import Options, Part
 from mtrp_allocators.experiments.published import measure_published
 from mtrp_allocators.experiments.ratios import measure_ratios
 from mtrp_allocators.experiments.scale import measure_scale
-from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Figure, Laboratory
+from rqt_mrta_py.hooks import BenchmarkReport, Laboratory
 
 __all__ = ["PARTS", "add_arguments", "measure"]
 
@@ -36,14 +38,8 @@ _DEFAULTS = Options(time.process_time)
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Say what the benchmark takes."""
-    parser.add_argument(
-        "--parts",
-        metavar="P,...",
-        type=_parts,
-        default=tuple(PARTS),
-        help=f"what to measure (default: {','.join(PARTS)})",
-    )
-    parser.add_argument("--seeds", metavar="N", type=_count, help="instances of each size (default: 30; quick: 2)")
+    add_parts_argument(parser, PARTS)
+    parser.add_argument("--seeds", metavar="N", type=count, help="instances of each size (default: 30; quick: 2)")
     parser.add_argument("--robots", metavar="M,...", type=_counts, help="team sizes (default: 1,2,3,5,10,20,30,50)")
     parser.add_argument("--targets", metavar="N,...", type=_counts, help="numbers of targets (default: 10,20,30,40,50)")
     parser.add_argument(
@@ -68,32 +64,17 @@ def measure(told: Namespace, laboratory: Laboratory) -> BenchmarkReport:
         alpha=told.alpha,
         quick=told.quick,
     )
-    tables: List[BenchmarkTable] = []
-    figures: List[Figure] = []
-    for name in told.parts:
+    return joined(_reports(told.parts, options))
+
+
+def _reports(parts: Sequence[str], options: Options) -> Iterator[BenchmarkReport]:
+    for name in parts:
         _log.info("part=%s: %s", name, PARTS[name].help)
-        report = PARTS[name].measure(options)
-        tables += report.tables
-        figures += report.figures
-    return BenchmarkReport(tuple(tables), tuple(figures))
-
-
-def _parts(text: str) -> Tuple[str, ...]:
-    names = tuple(name.strip() for name in text.split(","))
-    for name in names:
-        if name not in PARTS:
-            raise ArgumentTypeError(f"{name!r}: there is no such part; there are: {', '.join(PARTS)}")
-    return tuple(name for name in PARTS if name in names)
+        yield PARTS[name].measure(options)
 
 
 def _counts(text: str) -> Tuple[int, ...]:
-    return tuple(sorted({_count(each.strip()) for each in text.split(",")}))
-
-
-def _count(text: str) -> int:
-    if not (text.isascii() and text.isdigit() and int(text)):
-        raise ArgumentTypeError(f"{text!r}: a whole number from 1 is expected")
-    return int(text)
+    return tuple(sorted({count(each.strip()) for each in text.split(",")}))
 
 
 def _weight(text: str) -> float:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import logging
-import math
-from argparse import ArgumentParser, ArgumentTypeError, Namespace
-from typing import Dict, List, Tuple
+from argparse import ArgumentParser, Namespace
+from typing import Dict, Iterator, Sequence
+
+from team_measures.benchmark_parts import add_parts_argument, count, joined, seconds
 
 from mrta_alliance.experiments.completion import measure_completion
 from mrta_alliance.experiments.cost import measure_cost
@@ -15,7 +16,7 @@ from mrta_alliance.experiments.loss import measure_loss
 from mrta_alliance.experiments.part import Options, Part
 from mrta_alliance.experiments.shares import measure_shares
 from mrta_alliance.experiments.takeover import measure_takeover
-from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Figure, Laboratory
+from rqt_mrta_py.hooks import BenchmarkReport, Laboratory
 
 __all__ = ["PARTS", "add_arguments", "measure", "options_of"]
 
@@ -39,11 +40,8 @@ _DEFAULTS = Options()
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Say what the benchmark takes."""
-    names = ",".join(PARTS)
-    parser.add_argument(
-        "--parts", metavar="P,...", type=_parts, default=tuple(PARTS), help=f"what to measure (default: {names})"
-    )
-    parser.add_argument("--seeds", metavar="N", type=_count, help="missions of each kind (default: 50; quick: 1)")
+    add_parts_argument(parser, PARTS)
+    parser.add_argument("--seeds", metavar="N", type=count, help="missions of each kind (default: 50; quick: 1)")
     parser.add_argument(
         "--application", metavar="A", default=_DEFAULTS.application, help="whose tasks end (default: %(default)s)"
     )
@@ -52,13 +50,13 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--world", metavar="W", default=_DEFAULTS.world, help="where (default: %(default)s)")
     parser.add_argument(
-        "--duration", metavar="S", type=_seconds, help="of missions whose tasks end, at most (default: 900; quick: 250)"
+        "--duration", metavar="S", type=seconds, help="of missions whose tasks end, at most (default: 900; quick: 250)"
     )
     parser.add_argument(
-        "--courses", metavar="N", type=_count, default=_DEFAULTS.courses, help="teams trained (default: %(default)s)"
+        "--courses", metavar="N", type=count, default=_DEFAULTS.courses, help="teams trained (default: %(default)s)"
     )
     parser.add_argument(
-        "--lessons", metavar="N", type=_count, help="missions each is trained in (default: 10; quick: 1)"
+        "--lessons", metavar="N", type=count, help="missions each is trained in (default: 10; quick: 1)"
     )
     parser.add_argument("--quick", action="store_true", help="measure little of everything, to see that it works")
 
@@ -81,35 +79,10 @@ def options_of(told: Namespace) -> Options:
 def measure(told: Namespace, laboratory: Laboratory) -> BenchmarkReport:
     """Measure part after part."""
     options = options_of(told)
-    tables: List[BenchmarkTable] = []
-    figures: List[Figure] = []
-    for name in told.parts:
+    return joined(_reports(told.parts, options, laboratory))
+
+
+def _reports(parts: Sequence[str], options: Options, laboratory: Laboratory) -> Iterator[BenchmarkReport]:
+    for name in parts:
         _log.info("part=%s seeds=%d: %s", name, options.seeds, PARTS[name].help)
-        report = PARTS[name].measure(options, laboratory)
-        tables += report.tables
-        figures += report.figures
-    return BenchmarkReport(tuple(tables), tuple(figures))
-
-
-def _parts(text: str) -> Tuple[str, ...]:
-    names = tuple(name.strip() for name in text.split(","))
-    for name in names:
-        if name not in PARTS:
-            raise ArgumentTypeError(f"{name!r}: there is no such part; there are: {', '.join(PARTS)}")
-    return tuple(name for name in PARTS if name in names)
-
-
-def _seconds(text: str) -> float:
-    try:
-        seconds = float(text)
-    except ValueError:
-        seconds = math.nan
-    if not 0.0 < seconds < math.inf:
-        raise ArgumentTypeError(f"{text!r}: a number of seconds above 0 is expected")
-    return seconds
-
-
-def _count(text: str) -> int:
-    if not text.isdigit() or not int(text):
-        raise ArgumentTypeError(f"{text!r}: a whole number from 1 is expected")
-    return int(text)
+        yield PARTS[name].measure(options, laboratory)

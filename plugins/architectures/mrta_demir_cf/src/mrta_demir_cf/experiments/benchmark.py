@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import logging
-import math
-from argparse import ArgumentParser, ArgumentTypeError, Namespace
-from typing import Dict, List, Tuple
+from argparse import ArgumentParser, Namespace
+from typing import Dict, Iterator, Sequence
+
+from team_measures.benchmark_parts import add_parts_argument, count, joined, seconds
 
 from mrta_demir_cf.experiments.contingency import measure_contingencies
 from mrta_demir_cf.experiments.failure import measure_failures
@@ -14,7 +15,7 @@ from mrta_demir_cf.experiments.online import measure_online_tasks
 from mrta_demir_cf.experiments.part import Options, Part
 from mrta_demir_cf.experiments.simulation import measure_simulation
 from mrta_demir_cf.experiments.team_size import measure_team_sizes
-from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Figure, Laboratory
+from rqt_mrta_py.hooks import BenchmarkReport, Laboratory
 
 __all__ = ["PARTS", "add_arguments", "measure"]
 
@@ -36,11 +37,8 @@ _QUICK_SEEDS = 2
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Say what the benchmark takes."""
-    names = ",".join(PARTS)
-    parser.add_argument(
-        "--parts", metavar="P,...", type=_parts, default=tuple(PARTS), help=f"what to measure (default: {names})"
-    )
-    parser.add_argument("--seeds", metavar="N", type=_count, help="missions of each kind (default: 20; quick: 2)")
+    add_parts_argument(parser, PARTS)
+    parser.add_argument("--seeds", metavar="N", type=count, help="missions of each kind (default: 20; quick: 2)")
     parser.add_argument(
         "--application",
         metavar="A",
@@ -53,7 +51,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--duration",
         metavar="S",
-        type=_seconds,
+        type=seconds,
         default=_DEFAULTS.duration,
         help="of a simulated mission, at most (default: %(default)g)",
     )
@@ -69,35 +67,10 @@ def measure(told: Namespace, laboratory: Laboratory) -> BenchmarkReport:
         duration=told.duration,
         quick=told.quick,
     )
-    tables: List[BenchmarkTable] = []
-    figures: List[Figure] = []
-    for name in told.parts:
+    return joined(_reports(told.parts, options, laboratory))
+
+
+def _reports(parts: Sequence[str], options: Options, laboratory: Laboratory) -> Iterator[BenchmarkReport]:
+    for name in parts:
         _log.info("part=%s seeds=%d: %s", name, options.seeds, PARTS[name].help)
-        report = PARTS[name].measure(options, laboratory)
-        tables += report.tables
-        figures += report.figures
-    return BenchmarkReport(tuple(tables), tuple(figures))
-
-
-def _parts(text: str) -> Tuple[str, ...]:
-    names = tuple(name.strip() for name in text.split(","))
-    for name in names:
-        if name not in PARTS:
-            raise ArgumentTypeError(f"{name!r}: there is no such part; there are: {', '.join(PARTS)}")
-    return tuple(name for name in PARTS if name in names)
-
-
-def _count(text: str) -> int:
-    if not (text.isascii() and text.isdigit() and int(text)):
-        raise ArgumentTypeError(f"{text!r}: a whole number from 1 is expected")
-    return int(text)
-
-
-def _seconds(text: str) -> float:
-    try:
-        seconds = float(text)
-    except ValueError:
-        seconds = math.nan
-    if not 0.0 < seconds < math.inf:
-        raise ArgumentTypeError(f"{text!r}: a number of seconds above 0 is expected")
-    return seconds
+        yield PARTS[name].measure(options, laboratory)
