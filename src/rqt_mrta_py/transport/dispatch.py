@@ -118,23 +118,26 @@ class Dispatcher:
             self._hand_on(route, receipt, ordinal, raw)
 
     def _hand_on(self, route: Route, receipt: float, ordinal: int, raw: bytes) -> None:
-        """Hand one message to all who hear it; a field that several want is read once."""
+        """Hand one message to all who hear it; who wants the same of it is handed the same."""
         connection = route.connection
         topic, type_name, caller = connection.topic, connection.type, connection.caller
-        read: Dict[Tuple[str, ...], Mapping[str, Any]] = {}
+        made: Dict[Tuple[str, ...], Heard] = {}
         for callback, robot, task, paths, reader, wish in route.met:
-            if reader is None:
-                fields = _NOTHING
-            elif paths in read:
-                fields = read[paths]
-            else:
+            heard = made.get(paths)
+            if heard is None:
                 try:
-                    fields = read[paths] = dict(zip(paths, reader(raw)))
+                    fields = _NOTHING if reader is None else dict(zip(paths, reader(raw)))
                 except TransportError as error:
                     heard = Heard(topic, type_name, receipt, _NOTHING, robot, task, caller, ordinal)
                     self._complain(wish, connection, heard, f"{topic}: {error}")
                     continue
-            callback(_new_heard(Heard, (topic, type_name, receipt, fields, robot, task, caller, ordinal)))
+            elif heard.robot == robot and heard.task == task:
+                callback(heard)
+                continue
+            else:
+                fields = heard.fields
+            heard = made[paths] = _new_heard(Heard, (topic, type_name, receipt, fields, robot, task, caller, ordinal))
+            callback(heard)
 
     def _forget_routes(self) -> None:
         # A new one, by which it is noticed while messages are handed on.
