@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from argparse import ArgumentParser, Namespace
+from dataclasses import replace
 from itertools import permutations, product
 from pathlib import Path
 from typing import Callable, List, Tuple
@@ -15,6 +16,7 @@ from mtrp_allocators.experiments.benchmark import PARTS, add_arguments, measure
 from mtrp_allocators.experiments.instances import random_instance
 from mtrp_allocators.experiments.part import Options
 from mtrp_allocators.experiments.published import measure_published
+from mtrp_allocators.experiments.reference_ratios import reference_mean
 from mtrp_allocators.references.least_makespan import least_makespan
 from mtrp_allocators.routes import Distances, distances, makespan
 
@@ -83,11 +85,35 @@ def test_every_part_makes_tables_whose_rows_fit(part: str) -> None:
 
 def test_no_ratio_is_below_one() -> None:
     """For the optimum is proved."""
-    for table in PARTS["ratios"].measure(TINY).tables:
-        for row in table.rows:
-            for cell in row[2:]:
-                if isinstance(cell, float):
-                    assert cell >= 1.0
+    tables = {table.title: table for table in PARTS["ratios"].measure(TINY).tables}
+    ratios = [ratio for row in tables["Mean ratio to the optimum by size"].rows for ratio in row[2:]]
+    assert len(ratios) == 8 * 2 * 2
+    assert min(ratios) >= 1.0
+
+
+def test_reference_means_are_those_of_its_own_summary() -> None:
+    """Overall means of the reference, over its 40 sizes, which it gives by themselves; its UEM has alpha = 0.6."""
+    sizes = list(product((1, 2, 3, 5, 10, 20, 30, 50), (10, 20, 30, 40, 50)))
+    overall = {"EYH": 1.061, "UEM": 1.0525, "PRIM-ORG": 1.150, "PRIM-SD": 1.1046, "SSI": 1.0458}
+    assert {name: reference_mean(name, sizes) for name in overall} == pytest.approx(overall, abs=6e-4)
+    assert reference_mean("EYH", [(2, 10), (10, 50)]) == pytest.approx((1.060 + 1.054) / 2)
+    assert reference_mean("rollout", sizes) is None
+    assert reference_mean("EYH", [(4, 10)]) is None
+    assert reference_mean("EYH", []) is None
+
+
+def test_means_stand_beside_those_of_the_reference() -> None:
+    """Of one instance of one size; the optimum is what all of them are divided by, in both."""
+    options = Options(time.process_time, seeds=1, robots=(50,), targets=(10,))
+    summary, densities, grid, offsets = PARTS["ratios"].measure(options).tables
+    ratio = {row[0]: row[2] for row in grid.rows}
+    ((of_eyh, *_),) = [row[-2:] for row in summary.rows if row[0] == "EYH"]
+    assert of_eyh == 1.003
+    assert densities.rows[1][:3] == ("", "reference", 1.003)
+    ((robots, off),) = [row[1:] for row in offsets.rows if row[0] == "EYH"]
+    assert (robots, off) == (50, pytest.approx(ratio["EYH"] - 1.003, abs=1.1e-3))
+    other = PARTS["ratios"].measure(replace(options, alpha=0.7)).tables[0]
+    assert {row[0]: row[-2] for row in other.rows}["UEM"] is None
 
 
 def test_instances_are_those_of_their_size_and_seed() -> None:
