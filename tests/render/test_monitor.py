@@ -21,10 +21,11 @@ from rqt_mrta_py.render.arena import Named, arena_part, draw_arena
 from rqt_mrta_py.render.canvas import Box, Canvas
 from rqt_mrta_py.render.curve_axes import cells, share_out, time_window, value_labels
 from rqt_mrta_py.render.floor import ArenaMap, extent
-from rqt_mrta_py.render.layout import ARENA, CURVES, HEADER, HEIGHT, SIDE, TEAM, TIMELINE, WIDTH, inside, rows
+from rqt_mrta_py.render.layout import ARENA, CURVES, HEADER, HEIGHT, SIDE, TEAM, TIMELINE, TITLE, WIDTH, inside, rows
 from rqt_mrta_py.render.page import Page
 from rqt_mrta_py.render.palette import SEVERITY_COLOURS, STATE_COLOURS, Colour, TaskColours
 from rqt_mrta_py.render.team import LIGHT_OFFSET, light_radius
+from rqt_mrta_py.render.text import text_width
 from rqt_mrta_py.render.timeline import lanes
 from tests.render import views
 
@@ -319,3 +320,18 @@ def test_a_bar_says_its_task_however_short_the_name(name: str) -> None:
         return draw_monitor(replace(views.single(), record=record))[top:bottom, left:right]
 
     assert (panel_of(name) != panel_of(" ")).any()
+
+
+@pytest.mark.parametrize("colours", [1, 6])
+def test_a_long_title_is_not_written_over(colours: int) -> None:
+    curves = tuple(Curve(f"a task with a long name {number}", (2.0, 5.0), (1.0, 3.0)) for number in range(colours))
+
+    def titles(title: str, reference: Optional[float]) -> Picture:
+        panel = CurvePanel(title, "m", 10.0, reference, (CurveGroup("robot1", curves),))
+        left, top, _, _ = (round(side) for side in CURVES)
+        picture = draw_monitor(replace(views.patrol(), panels=(panel, panel)))
+        return picture[top + 4 : top + 27, left : left + 12 + round(text_width(f"{title} [m]", TITLE))]
+
+    long = "Way to what is carried out next"
+    assert np.array_equal(titles(long, 9.99), titles(long, None))
+    assert np.array_equal(titles("Way", 9.99), titles("Way", None))

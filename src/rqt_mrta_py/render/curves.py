@@ -196,20 +196,24 @@ def _draw_charts(canvas: Canvas, panel: _Panel) -> None:
 
 
 def _draw_legend(canvas: Canvas, panel: _Panel) -> None:
-    """Name the colours from right to left; names are shortened, and then left out, where room is short."""
+    """Name reference and colours from right to left; names are shortened, and left out, where room is short."""
     box = panel.box.inset(24.0 + text_width(panel.title, TITLE), 0, 12, 0)
     y, x = box.top + 15.0, box.right
     if panel.reference is not None:
-        x -= canvas.text(x, y, f"reference {number(panel.reference)}", SMALL, INK, WHITE, anchor=1.0) + 4.0
-        canvas.dashes(x - _KEY, x, y, RED, 3)
-        x -= _KEY + _BETWEEN_KEYS
+        words = f"reference {number(panel.reference)}"
+        if x - text_width(words, SMALL) - _KEY - 4.0 >= box.left:
+            x -= canvas.text(x, y, words, SMALL, INK, WHITE, anchor=1.0) + 4.0
+            canvas.dashes(x - _KEY, x, y, RED, 3)
+            x -= _KEY + _BETWEEN_KEYS
     room = x - box.left - len(panel.legend) * (_KEY + 4.0 + _BETWEEN_KEYS)
     widest = share_out([text_width(label, SMALL) for label, _ in panel.legend], room)
     for done, (label, colour) in enumerate(reversed(panel.legend)):
         words = shorten(label, SMALL, max(widest, _LEAST_KEY))
         room_for_rest = 0.0 if done == len(panel.legend) - 1 else 30.0
         if x - text_width(words, SMALL) - _KEY - 4.0 - room_for_rest < box.left:
-            canvas.text(x, y, f"+{len(panel.legend) - done}", SMALL, MUTED, WHITE, anchor=1.0)
+            rest = f"+{len(panel.legend) - done}"
+            if x - text_width(rest, SMALL) >= box.left:
+                canvas.text(x, y, rest, SMALL, MUTED, WHITE, anchor=1.0)
             return
         x -= canvas.text(x, y, words, SMALL, INK, WHITE, anchor=1.0) + 4.0
         canvas.fill(Box(x - _KEY, y - 1, x, y + 2), colour)
