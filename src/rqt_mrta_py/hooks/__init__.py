@@ -7,8 +7,8 @@
 * ``agent``, ``allocator``, ``behaviour``, ``evaluator``, ``navigator``, ``robot_sensor``: on the robot
 * ``world``, ``robot_model``, ``sensor``, ``link``: in simulation
 * ``allocation``, ``incident``, ``statistic``, ``measure``: in supervision
-* ``picture``, ``figure``: in pictures
-* ``parameters``: in checks
+* ``picture``, ``figure``: in pictures; ``curve_trace`` collects what a panel will show
+* ``parameters``: read and checked
 * ``exporter``, ``observer``: what else hears a mission
 * ``verb``, ``benchmark``, ``laboratory``: on the command line
 
@@ -35,6 +35,7 @@ from rqt_mrta_py.hooks.behaviour import (
     Perception,
 )
 from rqt_mrta_py.hooks.benchmark import Benchmark, BenchmarkReport, BenchmarkTable
+from rqt_mrta_py.hooks.curve_trace import CurveTrace, TeamTraces, nice_top
 from rqt_mrta_py.hooks.evaluator import SensorReading, SensoryEvaluator, SensoryEvaluatorFactory
 from rqt_mrta_py.hooks.exporter import Exporter, ExporterFactory, ExporterSetup
 from rqt_mrta_py.hooks.figure import (
@@ -66,7 +67,7 @@ from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.hooks.measure import Measure, MeasureFactory, MeasureSetup
 from rqt_mrta_py.hooks.navigator import CostField, Navigator, PlannerFactory, PlannerSetup
 from rqt_mrta_py.hooks.observer import MessageObserverFactory, ObserverSetup
-from rqt_mrta_py.hooks.parameters import ParameterProblem
+from rqt_mrta_py.hooks.parameters import ParameterProblem, ParameterRangeError, read_fields, wrong_parameters
 from rqt_mrta_py.hooks.picture import (
     BodySight,
     Curve,
@@ -151,6 +152,7 @@ __all__ = [
     "Curve",
     "CurveGroup",
     "CurvePanel",
+    "CurveTrace",
     "Decision",
     "Experiment",
     "Exporter",
@@ -192,6 +194,7 @@ __all__ = [
     "Page",
     "PanelSetup",
     "ParameterProblem",
+    "ParameterRangeError",
     "Perception",
     "PlacedRobot",
     "PlannerFactory",
@@ -231,6 +234,7 @@ __all__ = [
     "TeamOutgoing",
     "TeamSensor",
     "TeamSensorFactory",
+    "TeamTraces",
     "Trial",
     "UsageError",
     "Verb",
@@ -240,4 +244,7 @@ __all__ = [
     "hookimpl",
     "load_plugin",
     "load_plugins",
+    "nice_top",
+    "read_fields",
+    "wrong_parameters",
 ]

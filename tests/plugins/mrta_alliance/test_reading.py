@@ -12,7 +12,6 @@ import yaml
 from mrta_alliance.parameters import (
     AllianceParameters,
     BehaviourSetParameters,
-    ParameterRangeError,
     SensorParameters,
 )
 from mrta_alliance.reading import find_problems, read_parameters
@@ -20,6 +19,7 @@ from mrta_alliance.reading import find_problems, read_parameters
 from rqt_mrta_py.config.parameters.context import ParameterContext
 from rqt_mrta_py.config.parameters.resolving import resolve_parameters
 from rqt_mrta_py.config.xml.architecture import read_architecture
+from rqt_mrta_py.hooks import ParameterRangeError
 from tests.plugins.mrta_alliance.team import behaviour_set, nested
 
 ORIGINAL = """

@@ -11,21 +11,9 @@ from dataclasses import dataclass
 from typing import List, Tuple
 
 from mrta_alliance.equations import TIME_TOLERANCE
-from rqt_mrta_py.hooks import ParameterProblem
+from rqt_mrta_py.hooks import ParameterProblem, ParameterRangeError
 
-__all__ = ["AllianceParameters", "BehaviourSetParameters", "ParameterRangeError", "SensorParameters"]
-
-
-class ParameterRangeError(ValueError):
-    """Parameters that ALLIANCE cannot work with.
-
-    Attributes:
-        problems: all of them, with paths as in the robot's YAML file.
-    """
-
-    def __init__(self, problems: Tuple[ParameterProblem, ...]) -> None:
-        self.problems = problems
-        super().__init__("; ".join(f"{problem.path}: {problem.message}" for problem in problems))
+__all__ = ["AllianceParameters", "BehaviourSetParameters", "SensorParameters"]
 
 
 @dataclass(frozen=True)

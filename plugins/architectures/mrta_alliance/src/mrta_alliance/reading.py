@@ -7,10 +7,9 @@ from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Seque
 from mrta_alliance.parameters import (
     AllianceParameters,
     BehaviourSetParameters,
-    ParameterRangeError,
     SensorParameters,
 )
-from rqt_mrta_py.hooks import ParameterProblem
+from rqt_mrta_py.hooks import ParameterProblem, ParameterRangeError
 from rqt_mrta_py.model import is_legal_name
 
 __all__ = ["find_problems", "read_parameters"]

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any, List, Mapping, Tuple
 
-from nearest_robot.parameters import ParameterRangeError, cycle_problems, read_fields
+from nearest_robot.parameters import cycle_problems
 
-from rqt_mrta_py.hooks import ParameterProblem
+from rqt_mrta_py.hooks import ParameterProblem, ParameterRangeError, read_fields, wrong_parameters
 
 __all__ = ["RULES", "BaselineParameters", "find_problems", "read_parameters"]
 
@@ -55,14 +55,9 @@ def read_parameters(given: Mapping[str, Any]) -> BaselineParameters:
     Raises:
         ParameterRangeError: carries everything that is wrong.
     """
-    defaults = {field.name: field.default for field in fields(BaselineParameters)}
-    return read_fields(BaselineParameters, defaults, given)
+    return read_fields(BaselineParameters, given)
 
 
 def find_problems(given: Mapping[str, Any]) -> Tuple[ParameterProblem, ...]:
     """List everything that is wrong with a robot's parameters; empty if nothing is."""
-    try:
-        read_parameters(given)
-    except ParameterRangeError as error:
-        return error.problems
-    return ()
+    return wrong_parameters(lambda: read_parameters(given))

@@ -7,10 +7,8 @@ from dataclasses import dataclass, field, fields
 from enum import Enum
 from typing import Any, Dict, List, Mapping, Tuple
 
-from mrta_alliance.parameters import ParameterRangeError
-
 from mrta_l_alliance.memory import Memory, read_memory
-from rqt_mrta_py.hooks import ParameterProblem
+from rqt_mrta_py.hooks import ParameterProblem, ParameterRangeError, wrong_parameters
 
 __all__ = ["GROUP", "LearningParameters", "Phase", "find_learning_problems", "read_learning"]
 
@@ -105,11 +103,7 @@ def read_learning(nested: Mapping[str, Any]) -> LearningParameters:
 
 def find_learning_problems(nested: Mapping[str, Any]) -> Tuple[ParameterProblem, ...]:
     """List everything that is wrong with the parameters of learning; empty if nothing is."""
-    try:
-        read_learning(nested)
-    except ParameterRangeError as error:
-        return error.problems
-    return ()
+    return wrong_parameters(lambda: read_learning(nested))
 
 
 def _value(name: str, given: Any) -> Any:

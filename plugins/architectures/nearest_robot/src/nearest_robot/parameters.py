@@ -3,33 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
-from typing import Any, Callable, Dict, List, Mapping, Tuple, TypeVar
+from dataclasses import dataclass
+from typing import Any, List, Mapping, Tuple
 
-from rqt_mrta_py.hooks import ParameterProblem
+from rqt_mrta_py.hooks import ParameterProblem, ParameterRangeError, read_fields, wrong_parameters
 
-__all__ = [
-    "NearestRobotParameters",
-    "ParameterRangeError",
-    "cycle_problems",
-    "find_problems",
-    "read_fields",
-    "read_parameters",
-]
-
-_Parameters = TypeVar("_Parameters")
-
-
-class ParameterRangeError(ValueError):
-    """Parameters that robots cannot work with.
-
-    Attributes:
-        problems: all of them, by path.
-    """
-
-    def __init__(self, problems: Tuple[ParameterProblem, ...]) -> None:
-        self.problems = problems
-        super().__init__("; ".join(f"{problem.path}: {problem.message}" for problem in problems))
+__all__ = ["NearestRobotParameters", "cycle_problems", "find_problems", "read_parameters"]
 
 
 @dataclass(frozen=True)
@@ -80,39 +59,6 @@ def cycle_problems(rate: float, timeout: float) -> List[ParameterProblem]:
     return []
 
 
-def read_fields(kind: Callable[..., _Parameters], defaults: Mapping[str, Any], given: Mapping[str, Any]) -> _Parameters:
-    """Make parameters, each a text or a number as its default is; what is missing takes its default.
-
-    Args:
-        kind: makes them of all values by name, or raises ParameterRangeError.
-        defaults: by name, in order.
-        given: as in the robot's YAML file.
-
-    Raises:
-        ParameterRangeError: carries everything that is wrong.
-    """
-    values: Dict[str, Any] = {}
-    problems: List[ParameterProblem] = []
-    for name, default in defaults.items():
-        value = given.get(name, default)
-        if isinstance(default, str):
-            if isinstance(value, str):
-                values[name] = value
-            else:
-                problems.append(ParameterProblem(name, f"must be a text (got {value!r})"))
-        elif isinstance(value, (int, float)) and not isinstance(value, bool):
-            values[name] = float(value)
-        else:
-            problems.append(ParameterProblem(name, f"must be a number (got {value!r})"))
-    try:
-        parameters = kind(**values)
-    except ParameterRangeError as error:
-        problems.extend(error.problems)
-    if problems:
-        raise ParameterRangeError(tuple(problems))
-    return parameters
-
-
 def read_parameters(given: Mapping[str, Any]) -> NearestRobotParameters:
     """Make a robot's parameters; what is missing takes its default.
 
@@ -122,14 +68,9 @@ def read_parameters(given: Mapping[str, Any]) -> NearestRobotParameters:
     Raises:
         ParameterRangeError: carries everything that is wrong.
     """
-    defaults = {field.name: field.default for field in fields(NearestRobotParameters)}
-    return read_fields(NearestRobotParameters, defaults, given)
+    return read_fields(NearestRobotParameters, given)
 
 
 def find_problems(given: Mapping[str, Any]) -> Tuple[ParameterProblem, ...]:
     """List everything that is wrong with a robot's parameters; empty if nothing is."""
-    try:
-        read_parameters(given)
-    except ParameterRangeError as error:
-        return error.problems
-    return ()
+    return wrong_parameters(lambda: read_parameters(given))
