@@ -8,7 +8,8 @@
 * ``model_update``: what others say, and their silence; ``orders``: what hosts and operators say
 * ``consistency``: sets others right
 * ``auction``, ``response``, ``nearness``: requests, and how they are answered (Algorithms 3' and 3'')
-* ``next_task``: what it would do next (Algorithm 2); ``reachability``: what cannot be reached, and when it can again
+* ``next_task``: what it would do next (Algorithm 2); ``joint_plan``: the same where the team keeps to one plan
+* ``reachability``: what cannot be reached, and when it can again
 * ``agent``: the robot's cycle
 * ``interpreter``: tells from messages what became of an allocation
 * ``panel``: costs, for pictures

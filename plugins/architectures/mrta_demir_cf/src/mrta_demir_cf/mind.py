@@ -10,6 +10,7 @@ from mrta_demir_cf.auction import Auction
 from mrta_demir_cf.message_kinds import CancelReason, Kind
 from mrta_demir_cf.messages import Speaker
 from mrta_demir_cf.parameters import DemirCfParameters
+from mrta_demir_cf.planning.balanced_plan import Plan
 from mrta_demir_cf.robot_model import RobotModel
 from mrta_demir_cf.task_model import Key, Position, TaskModel, key_of
 from mrta_demir_cf.task_states import TaskBelief, TaskEvent, is_illegal
@@ -37,6 +38,7 @@ class Mind:
         stirred: whether it knows something since it last selected that may change what it wants.
         moved: whether another robot has moved since.
         schedule: places of its rough schedule, as of the last selection [m].
+        plan: who does what in which order, where the team keeps to a plan (``joint_plan``); else for nobody.
         changes: how many states of tasks and robots have become another one.
         contradictions: how many changes the tables did not allow.
         now: the time [s].
@@ -60,6 +62,7 @@ class Mind:
         self.stirred = True
         self.moved = False
         self.schedule: Tuple[Position, ...] = ()
+        self.plan: Plan[str, str] = Plan({})
         self.changes = 0
         self.contradictions = 0
         self.now = 0.0

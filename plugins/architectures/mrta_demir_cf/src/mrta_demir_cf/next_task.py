@@ -27,8 +27,9 @@ from typing import TYPE_CHECKING, Iterable, List, NamedTuple, Optional, Sequence
 
 import numpy as np
 
+from mrta_demir_cf.joint_plan import planned_route
 from mrta_demir_cf.mind import Mind
-from mrta_demir_cf.parameters import ROLLOUT
+from mrta_demir_cf.parameters import BALANCED, ROLLOUT
 from mrta_demir_cf.planning.rough_schedule import rough_schedule
 from mrta_demir_cf.planning.selection import select
 from mrta_demir_cf.robot_model import RobotModel
@@ -68,6 +69,9 @@ def find_next(mind: Mind) -> Optional[Choice]:
     rivals = [robot for robot in mind.robots.values() if robot.is_present and not _is_bound(mind, robot)]
     if mind.told.cost == ROLLOUT:
         schedule, choice = _imagined(mind, candidates, rivals)
+    elif mind.told.cost == BALANCED:
+        schedule = planned_route(mind, [model for model in candidates if not model.is_claimed], rivals)
+        choice = Choice(schedule[0], mind.held_cost(schedule[0])) if schedule else None
     else:
         schedule = _rough_schedule(mind, candidates, rivals)
         choice = _cheapest(mind, schedule)

@@ -10,10 +10,21 @@ from typing import Any, Callable, Dict, List, Mapping, Tuple
 from mrta_demir_cf.planning.costs import ALPHA, CostFunction, eyh_cost, uem_cost
 from rqt_mrta_py.hooks import ParameterProblem
 
-__all__ = ["ROLLOUT", "DemirCfParameters", "Objective", "ParameterRangeError", "find_problems", "read_parameters"]
+__all__ = [
+    "BALANCED",
+    "ROLLOUT",
+    "DemirCfParameters",
+    "Objective",
+    "ParameterRangeError",
+    "find_problems",
+    "read_parameters",
+]
 
 ROLLOUT = "rollout"
 """The value of ``cost`` by which a robot imagines what its neighbours will do."""
+
+BALANCED = "balanced"
+"""The value of ``cost`` by which robots keep to a plan for the whole team whose longest route is short."""
 
 # Longer, and the executions that rqt_mrta.xml monitors would not stay fresh from one to the next.
 _LONGEST_HEARTBEAT = 2.5
@@ -45,7 +56,8 @@ class DemirCfParameters:
     Attributes:
         rate: how often the robot thinks, from 2 to 100 [Hz].
         objective: see ``Objective``; decides when it gives way to what another requests.
-        cost: what it selects by: ``eyh`` (Eq. 2), ``uem`` (Eq. 3) or ``rollout`` (see ``planning.rollout``).
+        cost: what it selects by: ``eyh`` (Eq. 2), ``uem`` (Eq. 3), ``rollout`` (see ``planning.rollout``) or, under the
+            time objective only, ``balanced`` (see ``planning.balanced_plan``).
         alpha: weight of the distance in ``uem``, 0 to 1 [1].
         reply_timeout: T_reply, for how long it waits for bids; at least two cycles [s].
         heartbeat: T_hb, how often it says that it is at work, or is there [s].
@@ -100,7 +112,9 @@ class DemirCfParameters:
         objectives = [objective.value for objective in Objective]
         check("rate", 2.0 <= self.rate <= 100.0, "from 2 to 100 Hz")
         check("objective", self.objective in objectives, " or ".join(objectives))
-        check("cost", self.cost in (*_COSTS, ROLLOUT), f"{', '.join(_COSTS)} or {ROLLOUT}")
+        *known, last = (*_COSTS, ROLLOUT) if self.keeps_paths_short else (*_COSTS, ROLLOUT, BALANCED)
+        accepted = f"{', '.join(known)} or {last} under the objective {self.objective}"
+        check("cost", self.cost in (*known, last), accepted)
         check("alpha", 0.0 <= self.alpha <= 1.0, "from 0 to 1")
         check("overdue", 1.0 < self.overdue < math.inf, "above 1")
         check("margin", 0.0 <= self.margin < 1.0, "at least 0 and below 1")
@@ -126,7 +140,7 @@ class DemirCfParameters:
         return self.objective == Objective.PATH.value
 
     def cost_function(self) -> CostFunction:
-        """Give what the robot selects by; of what is beyond an imagined route, the nearest."""
+        """Give what the robot selects by; of what is beyond an imagined or planned route, the nearest."""
         return _COSTS.get(self.cost, _COSTS["eyh"])(self)
 
 

@@ -62,7 +62,8 @@ def respond(mind: Mind, message: Message, model: TaskModel) -> None:
     Differs from the paper: a robot that keeps what it holds does not bid, since it would have to refuse the award. One
     that has bid selects nothing until the award could have come, and one that has given way nothing until the request
     is closed, or neighbours at nearly one cost would for ever give way to one another. Under the time objective a robot
-    gives way only where ``gives_way`` says so. What an operator ordered gives way to nothing.
+    gives way only where ``gives_way`` says so. What an operator ordered gives way to nothing. A robot that keeps to a
+    plan does not bid for what is the requester's by that plan too, or those with short routes would eat up the others'.
 
     Args:
         mind: the robot's.
@@ -85,7 +86,8 @@ def respond(mind: Mind, message: Message, model: TaskModel) -> None:
             mind.cancel(held, TaskEvent.GIVEN_WAY, reason)
             mind.busy_until = max(mind.busy_until, mind.now + mind.told.reply_timeout)
     asked = model.belief is TaskBelief.REQUESTED_OTHER and model.holder == message.robot and not model.awarded
-    if mind.mine is None and asked and own is not None and own < message.cost:
+    planned = message.task in mind.plan.routes.get(message.robot, ())
+    if mind.mine is None and asked and own is not None and own < message.cost and not planned:
         mind.speaker.say(Kind.BID, message.task, recipient=message.robot, cost=own)
         mind.busy_until = max(mind.busy_until, mind.now + 2.0 * mind.told.reply_timeout)
 

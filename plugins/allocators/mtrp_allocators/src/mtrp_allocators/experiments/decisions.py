@@ -6,6 +6,7 @@ import logging
 from typing import Any, Callable, Dict, List, Tuple
 
 import numpy as np
+from mrta_demir_cf.planning.balanced_plan import balanced_routes
 from mrta_demir_cf.planning.costs import eyh_cost, uem_cost
 from mrta_demir_cf.planning.rollout import Rollout
 from mrta_demir_cf.planning.selection import select
@@ -52,6 +53,7 @@ def measure_decisions(options: Options) -> BenchmarkReport:
         tuple(rows),
         (
             "EYH, UEM and rollout: what one robot computes before it moves to its next target.",
+            "Balanced plan: what one robot computes before it moves at all; afterwards it looks up what comes next.",
             "All others: the routes of all robots, for nobody can decide before all are planned.",
         ),
     )
@@ -64,6 +66,7 @@ def _ways(options: Options) -> Dict[str, Callable[[Instance], object]]:
         "EYH": lambda instance: select(0, *instance, np.ones(len(instance.targets), bool), eyh_cost),
         "UEM": lambda instance: select(0, *instance, np.ones(len(instance.targets), bool), uem),
         "rollout": lambda instance: Rollout()(0, *instance, np.ones(len(instance.targets), bool)),
+        "balanced plan": lambda instance: balanced_routes(*instance),
         "PRIM-SD": lambda instance: METHODS["prim_lightest_first"](distances(*instance)),
         "SSI": lambda instance: METHODS["single_item_sum"](distances(*instance)),
         "optimum": lambda instance: least_total_length(distances(*instance)),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Callable, Dict
 
+from mrta_demir_cf.planning.balanced_plan import KeptPlan
 from mrta_demir_cf.planning.costs import ALPHA, eyh_cost, uem_cost
 from mrta_demir_cf.planning.missions import parallel, sequential
 from mrta_demir_cf.planning.rollout import Rollout
@@ -45,7 +46,8 @@ def total_methods(alpha: float = ALPHA) -> Dict[str, RouteFinder]:
 def time_methods(alpha: float = ALPHA) -> Dict[str, Callable[[Instance], float]]:
     """List what is compared by the longest path [m]: DEMiR-CF with all robots moving, and what plans for all.
 
-    Where all move, robots may change their minds on the way, so that a path is longer than the route it leaves.
+    Where all move, robots may change their minds on the way, so that a path is longer than the route it leaves. They
+    do not where they keep to a balanced plan, which each makes for itself, and take from it target by target.
 
     Args:
         alpha: of UEM.
@@ -54,6 +56,7 @@ def time_methods(alpha: float = ALPHA) -> Dict[str, Callable[[Instance], float]]
         "EYH, all at once": lambda instance: parallel(*instance, selects_by(eyh_cost)).makespan,
         "UEM, all at once": lambda instance: parallel(*instance, selects_by(uem_cost(alpha))).makespan,
         "rollout, all at once": lambda instance: parallel(*instance, Rollout(balance=True)).makespan,
+        "balanced plan": lambda instance: parallel(*instance, KeptPlan()).makespan,
         "EYH, one at a time": lambda instance: sequential(*instance, selects_by(eyh_cost)).makespan,
     }
     others = ("single_item_makespan", "single_item_sum", "prim_lightest_first")

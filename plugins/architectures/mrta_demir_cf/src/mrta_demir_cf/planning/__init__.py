@@ -5,6 +5,7 @@
 * ``missions``: whole missions decided offline under three semantics; ``mission``: what becomes of one
 * ``large_missions``: the same, soon, for a thousand robots; ``pruning``, ``target_grid``: by looking at few targets
 * ``rollout``: an improvement of the rough schedule, which imagines what neighbours will do
+* ``balanced_plan``: routes for the whole team whose longest is short, and that are kept
 * ``compiled``: the door to numba; ``kernels``: what it compiles
 * ``tsplib``: instances of the travelling salesman problem from files
 """
