@@ -14,6 +14,7 @@ from rqt_mrta_py.transport.bags.chunk_walk import ChunkWalk
 from rqt_mrta_py.transport.bags.compression import Compression
 from rqt_mrta_py.transport.bags.faults import BagFault
 from rqt_mrta_py.transport.bags.reader import BagInfo, read_bag, read_bag_info
+from rqt_mrta_py.transport.bags.tail import BagTail
 from rqt_mrta_py.transport.bags.writer import BagWriter
 from rqt_mrta_py.transport.batch import Batch
 from rqt_mrta_py.transport.codec.ros_codec import RosCodec
@@ -26,6 +27,7 @@ from rqt_mrta_py.transport.packing import BatchPacker, BatchUnpacker
 __all__ = [
     "BagFault",
     "BagInfo",
+    "BagTail",
     "BagWriter",
     "Batch",
     "BatchPacker",

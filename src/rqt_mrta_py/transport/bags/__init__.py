@@ -5,5 +5,6 @@
 * ``chunks``, ``headers``, ``windows``, ``records``, ``compression``: what it is made of
 * ``reader``: whole bags, by time of receipt
 * ``chunk_walk``: damaged ones, in the order of the file; ``scan``, ``connections``: how it finds its way
+* ``tail``: those that are still recorded
 * ``faults``: what could not be read
 """

@@ -27,14 +27,14 @@ from rqt_mrta_py.transport.bags.records import (
 )
 from rqt_mrta_py.transport.bags.scan import LARGEST_RECORD, Record, find_record, follows, read_record
 
-__all__ = ["ChunkWalk"]
+__all__ = ["ChunkWalk", "Stretch"]
 
 _u32 = struct.Struct("<I").unpack_from
 _u64 = struct.Struct("<Q").unpack_from
 _two = struct.Struct("<II").unpack_from
 
 
-class _Stretch(NamedTuple):
+class Stretch(NamedTuple):
     """Records one after another: those of the file, or those of a compressed chunk.
 
     ``chunk`` is where the chunk begins in the file, None for the file itself. ``cut`` says that it is known already
@@ -86,10 +86,10 @@ class ChunkWalk:
             try:
                 self._index_position = self._index_begins(file)
                 self._connections.read_index(file, self._index_position, self.size)
-                for record in self._records(_Stretch(file, self.size), len(MAGIC)):
+                for record in self._records(Stretch(file, self.size), len(MAGIC)):
                     self.position = record.position
                     if record.op != OP_CHUNK:
-                        yield from self._message(_Stretch(file, self.size), record)
+                        yield from self._message(Stretch(file, self.size), record)
                     else:
                         yield from self._chunk(file, record)
             except OSError as error:
@@ -125,7 +125,7 @@ class ChunkWalk:
             position, reason = chunk, f"a chunk is damaged at its byte {position}: {reason}"
         self.all_faults.tell(BagFault(position, reason, lost, missing), joined=joined and chunk is None)
 
-    def _records(self, stretch: _Stretch, position: int) -> Iterator[Record]:
+    def _records(self, stretch: Stretch, position: int) -> Iterator[Record]:
         """Yield the records that prove themselves; of those whose length does not, the compressed chunks."""
         file, size = stretch.file, stretch.size
         content_end = -1
@@ -150,7 +150,7 @@ class ChunkWalk:
             yield record
             position = record.next
 
-    def _tell_gap(self, stretch: _Stretch, position: int, end: int, error: Exception, content_end: int) -> None:
+    def _tell_gap(self, stretch: Stretch, position: int, end: int, error: Exception, content_end: int) -> None:
         """Tell that no record begins at a place, up to the next one or the end."""
         missing = content_end - stretch.size
         if end == stretch.size and isinstance(error, EOFError):
@@ -162,7 +162,7 @@ class ChunkWalk:
                 return
         self._tell(stretch.chunk, position, str(error), end - position, joined=True)
 
-    def _tell_length(self, stretch: _Stretch, record: Record, end: int) -> None:
+    def _tell_length(self, stretch: Stretch, record: Record, end: int) -> None:
         """Tell that a record does not end where it says; the next one, or nothing, stands at another place."""
         position, compressed = record.position, record.op == OP_CHUNK
         missing = record.end - stretch.size
@@ -201,11 +201,11 @@ class ChunkWalk:
         cut = len(data) < size
         if cut and (not self.faults or self.faults[-1].position != position):
             self._tell(None, position, f"a chunk unpacks to {len(data)} of {size} bytes", 0, missing=size - len(data))
-        stretch = _Stretch(io.BytesIO(data), len(data), position, cut)
+        stretch = Stretch(io.BytesIO(data), len(data), position, cut)
         for inner in self._records(stretch, 0):
             yield from self._message(stretch, inner)
 
-    def _message(self, stretch: _Stretch, record: Record) -> Iterator[Stamped]:
+    def _message(self, stretch: Stretch, record: Record) -> Iterator[Stamped]:
         """Yield the message that a record is; take in the connection that it describes."""
         length = record.end - record.begin
         if record.op not in (OP_MESSAGE, OP_CONNECTION):
