@@ -1,4 +1,4 @@
-"""The hosts of a simulated team: from what plugins register to each robot's agent, behaviours and navigator."""
+"""The hosts of a team: from what plugins register to each robot's agent, behaviours and navigator."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from rqt_mrta_py.hooks import (
     Navigator,
     PlannerFactory,
     PlannerSetup,
+    RobotModel,
     RobotSensorFactory,
     SensoryEvaluatorFactory,
 )
 from rqt_mrta_py.hooks.manager import PluginManager
-from rqt_mrta_py.model import MapKnowledge, Mission, Task
+from rqt_mrta_py.model import MapKnowledge, Mission, ScenarioSpec, Task
 from rqt_mrta_py.robot import HostSetup, LearningNavigator, Mapper, RobotHost
-from rqt_mrta_py.sim import Simulation
 
 __all__ = ["HostMaker"]
 
@@ -41,20 +41,28 @@ class HostMaker:
     Args:
         mission: team, tasks, parameters.
         seed: of the run.
-        simulation: holds the simulated hardware.
+        scenario: where the robots are, and what each knows and can do.
+        models: of the robots, by robot id; of those whose hosts are made.
         manager: plugins, loaded.
 
     Raises:
         UsageError: nobody provides agents for the mission's architecture, or the planner that the scenario names.
     """
 
-    def __init__(self, mission: Mission, seed: int, simulation: Simulation, manager: PluginManager) -> None:
+    def __init__(
+        self,
+        mission: Mission,
+        seed: int,
+        scenario: ScenarioSpec,
+        models: Mapping[str, RobotModel],
+        manager: PluginManager,
+    ) -> None:
         self._mission = mission
         self._seed = seed
-        self._scenario = simulation.scenario
-        self._models = {name: robot.model for name, robot in simulation.robots.items()}
-        self._maps = {robot.id: robot.map for robot in simulation.scenario.robots}
-        self._own_capabilities = {robot.id: robot.capabilities for robot in simulation.scenario.robots}
+        self._scenario = scenario
+        self._models = models
+        self._maps = {robot.id: robot.map for robot in scenario.robots}
+        self._own_capabilities = {robot.id: robot.capabilities for robot in scenario.robots}
         self._team = tuple(robot.id for robot in mission.application.robots)
         self._tasks = frozenset(task.id for task in (*mission.tasks, *mission.later_tasks))
         self._behaviours: Mapping[str, BehaviourFactory] = manager.registered("mrta_register_behaviours")

@@ -63,7 +63,8 @@ def build_team(mission: Mission, seed: int, simulation: Simulation, bus: Bus, ma
         RobotError: a robot cannot carry out a task it is given.
         HookError: an agent or a behaviour cannot be made.
     """
-    maker = HostMaker(mission, seed, simulation, manager)
+    models = {name: robot.model for name, robot in simulation.robots.items()}
+    maker = HostMaker(mission, seed, simulation.scenario, models, manager)
     members: Dict[str, Member] = {}
     robots = [robot.id for robot in mission.application.robots]
     drive, hear_drives = simulation.drivers.listener(robots)
