@@ -301,3 +301,17 @@ def test_discovery_of_a_hundred_foreign_packages_costs_milliseconds(
     assert len(registry.packages) == 100
     # About 7 ms where this was written; parsing every manifest would take ten times as long.
     assert passed < 0.5
+
+
+def test_what_a_service_is_asked_and_answers_is_found_as_a_type(tmp_path: Path) -> None:
+    folder = tmp_path / "calls"
+    (folder / "srv").mkdir(parents=True)
+    (folder / "srv" / "Sum.srv").write_text("int32 a\nint32 b\n--- \nint32 sum\n")
+    (folder / "srv" / "Torn.srv").write_text("int32 a\n")
+    registry = Registry({"calls": folder})
+    assert registry.message_text("calls/SumRequest") == "int32 a\nint32 b\n"
+    assert registry.message_text("calls/SumResponse") == "int32 sum\n"
+    assert registry.message_text("calls/Sum") is None
+    assert registry.message_text("other/SumRequest") is None
+    with pytest.raises(ValueError, match="has 0 lines '---'"):
+        registry.message_text("calls/TornRequest")

@@ -43,7 +43,7 @@ class Host:
         """Make a codec that knows the message types of every package found."""
         from rqt_mrta_py.transport import RosCodec
 
-        return RosCodec(self._definition)
+        return RosCodec(self.registry.message_text)
 
     def renderer(self, name: str) -> Renderer:
         """Give a renderer by name.
@@ -55,10 +55,6 @@ class Host:
         if name not in renderers:
             raise HookError(f"{name}: no plugin draws such a picture; there are: {', '.join(sorted(renderers))}")
         return guarded_renderer(name, renderers[name])
-
-    def _definition(self, type_name: str) -> Optional[str]:
-        path = self.registry.message_file(type_name)
-        return None if path is None else path.read_text(encoding="utf-8")
 
 
 def compose(registry: Optional[Registry] = None, forgiving: bool = False) -> Host:

@@ -11,6 +11,7 @@
 * ``parameters``: read and checked
 * ``exporter``, ``observer``: what else hears a mission
 * ``verb``, ``benchmark``, ``laboratory``: on the command line
+* ``task_orders``: what operators say of tasks
 
 Errors that a plugin may raise to be told in one line stand here too.
 """
@@ -114,6 +115,7 @@ from rqt_mrta_py.hooks.stream import (
     TeamHeard,
     TeamOutgoing,
 )
+from rqt_mrta_py.hooks.task_orders import task_order
 from rqt_mrta_py.hooks.verb import Verb
 from rqt_mrta_py.hooks.world import Body, BodyState, Contact, PlacedRobot, World, WorldFactory, WorldSetup
 
@@ -246,5 +248,6 @@ __all__ = [
     "load_plugins",
     "nice_top",
     "read_fields",
+    "task_order",
     "wrong_parameters",
 ]

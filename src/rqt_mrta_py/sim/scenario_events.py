@@ -6,8 +6,7 @@ from typing import Callable, List, Mapping, Optional, Sequence
 
 import yaml
 
-from rqt_mrta_py.config.tasks.task_text import dump_task
-from rqt_mrta_py.hooks import Outgoing
+from rqt_mrta_py.hooks import Outgoing, task_order
 from rqt_mrta_py.model import Progress, ScenarioEvent, ScenarioEventKind, ScenarioSpec, Task
 from rqt_mrta_py.sim.radio import radio_of
 
@@ -63,15 +62,14 @@ def order_of(event: ScenarioEvent, task: Optional[Task], now: float) -> Optional
         return None
     progress, detail = _ORDERS[event.kind]
     appears = event.kind is ScenarioEventKind.TASK_APPEARS
-    fields = {
-        "header": {"stamp": now},
-        "task_id": event.task or "",
-        "robot_id": event.robot or "",
-        "progress": progress.code,
-        "detail": detail,
-        "task_yaml": dump_task(task) if appears and task is not None else "",
-    }
-    return Outgoing("/mrta/task_progress", "rqt_mrta_py/TaskProgress", fields)
+    return task_order(
+        progress,
+        event.task or "",
+        now,
+        robot=event.robot or "",
+        detail=detail,
+        task=task if appears else None,
+    )
 
 
 def _slows(event: ScenarioEvent) -> str:

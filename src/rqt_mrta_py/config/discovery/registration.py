@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 from enum import Enum
 from pathlib import Path
@@ -11,6 +12,8 @@ from rqt_mrta_py.errors import DiscoveryError, Problem
 from rqt_mrta_py.wording import accepted, nearest
 
 __all__ = ["Registration", "RegistrationKind", "Registry"]
+
+_PARTING_LINE = re.compile(r"^---[ \t\r]*$\n?", re.MULTILINE)
 
 
 class RegistrationKind(Enum):
@@ -110,3 +113,32 @@ class Registry:
             return None
         path = folder / "msg" / f"{message}.msg"
         return path if path.is_file() else None
+
+    def message_text(self, type_name: str) -> Optional[str]:
+        """Read the definition of a message type, or of what a service is asked or answers.
+
+        Args:
+            type_name: ``pkg/Msg``; also ``pkg/SrvRequest`` and ``pkg/SrvResponse`` of ``<pkg>/srv/<Srv>.srv``.
+
+        Returns:
+            The text; None if there is no such file.
+
+        Raises:
+            OSError: the file cannot be read.
+            ValueError: it is no text, or a service's without the line that parts request and response.
+        """
+        path = self.message_file(type_name)
+        if path is not None:
+            return path.read_text(encoding="utf-8")
+        for part, ending in enumerate(("Request", "Response")):
+            package, _, service = type_name[: -len(ending)].partition("/")
+            folder = self.packages.get(package)
+            if not type_name.endswith(ending) or folder is None or not service.isidentifier():
+                continue
+            path = folder / "srv" / f"{service}.srv"
+            if path.is_file():
+                parts = _PARTING_LINE.split(path.read_text(encoding="utf-8"))
+                if len(parts) != 2:
+                    raise ValueError(f"{path}: has {len(parts) - 1} lines '---'; one parts request and response")
+                return parts[part]
+        return None
