@@ -142,7 +142,13 @@ class Definition:
     @property
     def md5(self) -> str:
         """Compute the md5 as ROS does: comments, order of constants and names of contained types do not matter."""
+        return hashlib.md5(self.md5_text.encode()).hexdigest()
+
+    @property
+    def md5_text(self) -> str:
+        """Write down what the md5 is taken of; that of a service is taken of both its parts, one after the other."""
         known: Dict[str, str] = {}
+        text = ""
         for name in self.contained_first:
             spec = self.specs[name]
             lines = [f"{constant.type} {constant.name}={constant.text}" for constant in spec.constants]
@@ -151,8 +157,9 @@ class Definition:
                 lines.append(
                     f"{item.type}{brackets} {item.name}" if item.is_primitive else f"{known[item.type]} {item.name}"
                 )
-            known[name] = hashlib.md5("\n".join(lines).strip().encode()).hexdigest()
-        return known[self.type]
+            text = "\n".join(lines).strip()
+            known[name] = hashlib.md5(text.encode()).hexdigest()
+        return text
 
     @property
     def full_text(self) -> str:

@@ -1,0 +1,19 @@
+"""A process as a node of a ROS 1 graph.
+
+* ``node``: all of it, behind one class
+* ``door``: the only place that imports rospy, genpy and rosgraph
+* ``arguments``: remappings and private parameters; ``clock``: ROS time
+* ``hearing``, ``publishing``, ``services``: messages and requests as bytes; ``raw``: the classes that carry them
+* ``master``, ``registrations``, ``watch``: the master, also when it is lost or restarted
+* ``misfits``: connections whose ends do not mean the same
+* ``logs``: log lines on ``/rosout``
+"""
+
+from __future__ import annotations
+
+from rqt_mrta_py.transport.ros1.master import Graph
+from rqt_mrta_py.transport.ros1.misfits import Misfit
+from rqt_mrta_py.transport.ros1.node import RosNode
+from rqt_mrta_py.transport.ros1.watch import MasterChange
+
+__all__ = ["Graph", "MasterChange", "Misfit", "RosNode"]

@@ -1,0 +1,251 @@
+"""What a node hears: one subscription a topic, however many want it, and each message in the order of arrival."""
+
+from __future__ import annotations
+
+import logging
+import struct
+import warnings
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Tuple
+
+from rqt_mrta_py.errors import TransportError
+from rqt_mrta_py.hooks import Codec, Connection, Heard, Stamped, Subscription
+from rqt_mrta_py.model import is_legal_name
+from rqt_mrta_py.transport.dispatch import Dispatcher
+from rqt_mrta_py.transport.patterns import TopicPattern
+from rqt_mrta_py.transport.ros1.clock import CLOCK_TOPIC, CLOCK_TYPE, RosClock
+from rqt_mrta_py.transport.ros1.door import rospy
+from rqt_mrta_py.transport.ros1.raw import any_type
+
+__all__ = ["Ears", "Hearer"]
+
+_log = logging.getLogger("rqt_mrta_py.transport")
+
+_ROUTE = "rqt_mrta_py route"
+"""Where, among a connection's header fields, it is noted who hears it: rospy hands them out with every message."""
+
+_new_stamped = tuple.__new__
+"""Makes a Stamped of a tuple of its values, in half the time of the constructor of a NamedTuple."""
+
+
+class Hearer(NamedTuple):
+    """Somebody who hears topics.
+
+    Attributes:
+        wanted: whether a topic of a type is wanted; the type is empty where nobody knows it yet.
+        callback: is told of each message.
+        receipts: gives the receipt of a message that arrives now [ns]; None: ROS time.
+        topic: the one topic that is wanted, whether there is one or not; empty if there may be many.
+        latest: how many messages of a topic may wait to be heard; None: any number.
+    """
+
+    wanted: Callable[[str, str], bool]
+    callback: Callable[[Stamped], None]
+    receipts: Optional[Callable[[], int]]
+    topic: str
+    latest: Optional[int]
+
+
+class _Route:
+    """Where the messages of one connection go, as of a version of the hearers."""
+
+    __slots__ = ("connection", "hearers", "last", "ticks", "version")
+
+    def __init__(self, connection: Connection, ticks: bool) -> None:
+        self.connection = connection
+        self.ticks = ticks
+        self.hearers: Tuple[Tuple[Callable[[Stamped], None], Optional[Callable[[], int]]], ...] = ()
+        self.version = -1
+        self.last: Optional[bytes] = None
+
+
+class Ears:
+    """Subscribes to topics and hands on what they bring.
+
+    Args:
+        codec: reads messages, and fills in definitions that a publisher does not send.
+        lock: is held while a message is handed on.
+        clock: gives receipts, and is set where time is simulated.
+        on_connection: is told of each new connection, before its first message.
+        on_jump: is told when the clock went backwards: old and new time [s].
+        on_failure: is told what a callback raised.
+    """
+
+    def __init__(
+        self,
+        codec: Codec,
+        lock: Any,
+        clock: RosClock,
+        on_connection: Callable[[Connection], None],
+        on_jump: Callable[[float, float], None],
+        on_failure: Callable[[Exception], None],
+    ) -> None:
+        self._codec = codec
+        self._lock = lock
+        self._clock = clock
+        self._on_connection = on_connection
+        self._on_jump = on_jump
+        self._on_failure = on_failure
+        self._hearers: List[Hearer] = []
+        self._version = 0
+        self._known: Dict[Connection, Connection] = {}
+        self._subscribers: Dict[str, Any] = {}
+        self._topics: Mapping[str, str] = {}
+        self._asked: Tuple[Mapping[str, str], int] = ({}, -1)
+        self.closed = False
+
+    def subscribe(self, subscription: Subscription, callback: Callable[[Heard], None], latest: int) -> None:
+        """Hear what a resolved subscription means, read as it wants it.
+
+        Args:
+            subscription: its topic is resolved and may hold tokens or be EVERYTHING.
+            callback: is told of each message.
+            latest: how many messages of a topic may wait to be heard.
+        """
+        pattern = TopicPattern(subscription.topic)
+        dispatcher = Dispatcher(self._codec, _report)
+        dispatcher.subscribe(subscription, callback)
+        topic = subscription.topic if pattern.is_literal else ""
+
+        def wanted(name: str, _type: str) -> bool:
+            return pattern.match(name) is not None
+
+        self.add(Hearer(wanted, dispatcher.feed, None, topic, latest))
+
+    def add(self, hearer: Hearer) -> None:
+        """Let somebody hear from now on, and the latched messages that are there already."""
+        with self._lock:
+            self._hearers.append(hearer)
+            self._version += 1
+            for topic in sorted(self._subscribers):
+                self._repeat_latched(topic, hearer)
+        if hearer.topic:
+            self._open(hearer.topic)
+        self.offer(self._topics)
+
+    def offer(self, topics: Mapping[str, str]) -> None:
+        """Subscribe to what is wanted among topics, and no longer to what is not wanted any more.
+
+        Args:
+            topics: types by topic, as a master lists them.
+        """
+        with self._lock:
+            if self.closed or self._asked == (topics, self._version):
+                return
+            self._topics = topics
+            self._asked = (topics, self._version)
+            wanted = [topic for topic in sorted(topics) if self._those_who_want(topic)]
+            unwanted = [topic for topic in sorted(topics) if topic in self._subscribers and topic not in wanted]
+            closing = [self._subscribers.pop(topic) for topic in unwanted if self._subscribers[topic] is not None]
+        for subscriber in closing:
+            subscriber.unregister()
+        for topic in wanted:
+            self._open(topic)
+
+    def _those_who_want(self, topic: str) -> List[Hearer]:
+        kind = self._topics.get(topic, "").replace("*", "")
+        return [hearer for hearer in self._hearers if hearer.wanted(topic, kind)]
+
+    def _open(self, topic: str) -> None:
+        """Subscribe to a topic, unless it is subscribed to."""
+        with self._lock:
+            if self.closed or topic in self._subscribers:
+                return
+            self._subscribers[topic] = None
+            limits = [hearer.latest for hearer in self._those_who_want(topic)]
+        latest = None if None in limits else max(each for each in limits if each is not None)
+        if is_legal_name(topic):
+            subscriber = _subscriber(topic, self._take, latest)
+        else:
+            _log.warning("topic=%r is no name that ROS accepts; it is heard all the same", topic)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                subscriber = _subscriber(topic, self._take, latest)
+        with self._lock:
+            self._subscribers[topic] = subscriber
+
+    def _take(self, message: Any, topic: str) -> None:
+        """Hand on a message; rospy calls this in the thread of the connection."""
+        header = message._connection_header
+        raw = message.raw
+        with self._lock:
+            if self.closed:
+                return
+            try:
+                route = header.get(_ROUTE)
+                if route is None or route.version != self._version:
+                    route = self._routed(topic, header, route)
+                if route.ticks:
+                    self._tick(route, raw)
+                connection = route.connection
+                if connection.latched:
+                    route.last = raw
+                receipt = self._clock.receipt()
+                for callback, receipts in route.hearers:
+                    at = receipt if receipts is None else receipts()
+                    callback(_new_stamped(Stamped, (connection, at, raw)))
+            except Exception as error:  # noqa: BLE001 - whatever a callback raises ends the node, not only a thread
+                self._on_failure(error)
+
+    def _tick(self, route: _Route, raw: bytes) -> None:
+        try:
+            jump = self._clock.tick(raw)
+        except struct.error:
+            route.ticks = False
+            _log.warning("caller=%s says on %s what is no time; it is not heeded", route.connection.caller, CLOCK_TOPIC)
+            return
+        if jump is not None:
+            self._on_jump(*jump)
+
+    def _routed(self, topic: str, header: Dict[str, Any], route: Optional[_Route]) -> _Route:
+        """Find out anew who hears a connection."""
+        if route is None:
+            connection = self._connection(topic, header)
+            ticks = self._clock.simulated and connection.topic == CLOCK_TOPIC and connection.type == CLOCK_TYPE
+            route = _Route(connection, ticks)
+        connection = route.connection
+        route.hearers = tuple(
+            (hearer.callback, hearer.receipts)
+            for hearer in self._hearers
+            if hearer.wanted(connection.topic, connection.type)
+        )
+        route.version = self._version
+        header[_ROUTE] = route
+        return route
+
+    def _connection(self, topic: str, header: Mapping[str, str]) -> Connection:
+        type_name, md5 = header["type"], header["md5sum"]
+        definition = header.get("message_definition", "")
+        if not definition:
+            try:
+                own = self._codec.connection(topic, type_name)
+                definition = own.definition if own.md5 == md5 else ""
+            except TransportError:
+                pass
+        made = Connection(
+            topic, type_name, md5, definition, header.get("callerid", ""), header.get("latching", "0") == "1"
+        )
+        connection = self._known.get(made)
+        if connection is None:
+            connection = self._known[made] = made
+            self._on_connection(made)
+        return connection
+
+    def _repeat_latched(self, topic: str, hearer: Hearer) -> None:
+        subscriber = self._subscribers[topic]
+        if subscriber is None or subscriber.impl is None:
+            return
+        for transport in subscriber.impl.connections:
+            route = (transport.header or {}).get(_ROUTE)
+            if route is None or route.last is None:
+                continue
+            if hearer.wanted(route.connection.topic, route.connection.type):
+                at = self._clock.receipt() if hearer.receipts is None else hearer.receipts()
+                hearer.callback(Stamped(route.connection, at, route.last))
+
+
+def _subscriber(topic: str, callback: Callable[[Any, str], None], latest: Optional[int]) -> Any:
+    return rospy().Subscriber(topic, any_type(), callback, topic, queue_size=latest, tcp_nodelay=True)
+
+
+def _report(heard: Heard, text: str) -> None:
+    _log.warning("caller=%s %s", heard.caller, text)

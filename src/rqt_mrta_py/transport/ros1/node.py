@@ -1,0 +1,377 @@
+"""A node of a ROS 1 graph: what it publishes, hears, serves and asks."""
+
+from __future__ import annotations
+
+import logging
+import threading
+import time
+import warnings
+from typing import Any, Callable, List, Mapping, Optional, Sequence
+
+from rqt_mrta_py.errors import MissingDependencyError, TransportError
+from rqt_mrta_py.hooks import AnyOutgoing, Codec, Heard, Stamped, Subscription
+from rqt_mrta_py.model import is_legal_name, resolve_name
+from rqt_mrta_py.transport.patterns import resolve_topic
+from rqt_mrta_py.transport.ros1 import services
+from rqt_mrta_py.transport.ros1.arguments import NodeArguments
+from rqt_mrta_py.transport.ros1.clock import CLOCK_TOPIC, RosClock
+from rqt_mrta_py.transport.ros1.door import rosgraph, rospy
+from rqt_mrta_py.transport.ros1.hearing import Ears, Hearer
+from rqt_mrta_py.transport.ros1.logs import ROSOUT, RosoutHandler, own_logging
+from rqt_mrta_py.transport.ros1.master import Graph, Master
+from rqt_mrta_py.transport.ros1.misfits import Misfit, Misfits, watch_refusals
+from rqt_mrta_py.transport.ros1.publishing import Mouths
+from rqt_mrta_py.transport.ros1.watch import MasterChange, MasterWatch
+
+__all__ = ["RosNode"]
+
+_log = logging.getLogger("rqt_mrta_py.transport")
+
+_WAIT = 0.2
+"""How long to wait before asking again for a master that is not there yet [s]."""
+
+
+class RosNode:
+    """This process as a node of a ROS 1 graph; made by ``start``, once in a process.
+
+    Callbacks are called one at a time, in the order in which messages arrive, in threads of rospy's, while the node's
+    lock is held. What a callback raises ends the node: ``wait`` raises it again.
+
+    Attributes:
+        name: resolved.
+        codec: reads and writes messages.
+        lock: who touches what callbacks touch, in another thread, holds it meanwhile.
+    """
+
+    def __init__(self, name: str, codec: Codec, arguments: NodeArguments, master: Master, clock: RosClock) -> None:
+        self.name = name
+        self.codec = codec
+        self.lock = threading.RLock()
+        self._arguments = arguments
+        self._master = master
+        self._clock = clock
+        self._ended = threading.Event()
+        self._failure: Optional[Exception] = None
+        self._on_jump: List[Callable[[float, float], None]] = []
+        self._on_master: List[Callable[[MasterChange], None]] = []
+        self._on_misfit: List[Callable[[Misfit], None]] = []
+        self._on_shutdown: List[Callable[[], None]] = []
+        misfits = Misfits(codec, self._misfit)
+        self._ears = Ears(codec, self.lock, clock, misfits.check, self._jumped, self._failed)
+        self._mouths = Mouths(codec, name, arguments)
+        self._watch = MasterWatch(master, name, self._ears.offer, self._master_changed)
+        self._rosout = RosoutHandler(name, self.now, self._mouths.publish)
+
+    @classmethod
+    def start(
+        cls,
+        name: str,
+        codec: Codec,
+        *,
+        anonymous: bool = False,
+        arguments: Sequence[str] = (),
+        await_master: bool = True,
+    ) -> RosNode:
+        """Make this process a node; signals stay the program's.
+
+        Args:
+            name: without namespace; ``__name`` and ``__ns`` of the arguments, or ``ROS_NAMESPACE``, count first.
+            codec: reads and writes messages.
+            anonymous: whether to add to the name what makes it unique.
+            arguments: remappings and private parameters as ROS writes them.
+            await_master: whether to wait for a master that is not there yet.
+
+        Raises:
+            MissingDependencyError: ROS is not installed, or no master answers and is not waited for.
+            TransportError: the name or an argument is none that ROS accepts, or the process is a node already.
+        """
+        given = NodeArguments.read(arguments)
+        if not is_legal_name(name) or "/" in name or "~" in name:
+            raise TransportError(f"{name!r} cannot be the name of a node: letters, digits and _, a letter first")
+        ros = rospy()
+        if ros.core.is_initialized():
+            raise TransportError(f"{name}: this process is a ROS node already; it can be one only once")
+        master = Master(rosgraph().get_master_uri(), f"{given.namespace}{name}")
+        _find(master, await_master)
+        ros.names._set_caller_id(f"{given.namespace}unnamed")
+        with own_logging(), warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            ros.init_node(
+                name,
+                argv=[name, *given.passed_on],
+                anonymous=anonymous,
+                disable_signals=True,
+                disable_rosout=True,
+                disable_rostime=True,
+            )
+        resolved: str = ros.get_name()
+        simulated = master.ask("getParam", "/use_sim_time")
+        node = cls(resolved, codec, given, Master(master.uri, resolved), RosClock(bool(simulated[0] and simulated[2])))
+        node._begin()
+        return node
+
+    @property
+    def is_shut_down(self) -> bool:
+        """Whether the node has ended or is about to."""
+        return self._ended.is_set()
+
+    def now(self) -> float:
+        """Give ROS time [s]; where it is simulated, 0 before the first message of ``/clock``."""
+        return self._clock.now()
+
+    def resolve(self, name: str) -> str:
+        """Resolve and remap a name.
+
+        Raises:
+            TransportError: ROS does not accept it.
+        """
+        try:
+            return resolve_name(name, self.name, self._arguments.remappings)
+        except ValueError as error:
+            raise TransportError(f"{self.name}: {error}") from error
+
+    def subscribe(self, subscription: Subscription, callback: Callable[[Heard], None], latest: int = 1000) -> None:
+        """Hear topics from now on, and the latched messages that they already have.
+
+        Args:
+            subscription: its topic is resolved and remapped; with tokens, topics are found through the master.
+            callback: is told of each message; what cannot be read is logged once for each connection.
+            latest: how many messages of a topic may wait to be heard; where several hear it, the most that any wants.
+
+        Raises:
+            TransportError: the topic is no name that ROS accepts.
+        """
+        topic = resolve_topic(subscription.topic, self.name, self._arguments.remappings)
+        self._ears.subscribe(subscription._replace(topic=topic), callback, latest)
+        self._watch.wake()
+
+    def hear(
+        self,
+        wanted: Callable[[str, str], bool],
+        callback: Callable[[Stamped], None],
+        *,
+        receipts: Optional[Callable[[], int]] = None,
+    ) -> None:
+        """Hear whole topics from now on as they are, and the latched messages that they already have.
+
+        Args:
+            wanted: tells of a topic and its type whether it is wanted; the type is empty while nobody knows it. It is
+                asked again when the type changes, and should not take long.
+            callback: is told of each message.
+            receipts: gives the receipt of a message that arrives now [ns]; None: ROS time.
+        """
+        self._ears.add(Hearer(wanted, callback, receipts, "", None))
+        self._watch.wake()
+
+    def publish(self, outgoing: AnyOutgoing, now: float) -> None:
+        """Publish a message, or many; they are written only if somebody hears them.
+
+        Args:
+            outgoing: topics are resolved and remapped.
+            now: as for a node of the embedded bus; ROS tells nobody when a message was said.
+
+        Raises:
+            TransportError: a topic is no name that ROS accepts, this node publishes another type there, or a message
+                does not fit its type; names node, topic and path.
+        """
+        self._mouths.publish(outgoing)
+
+    def advertise(self, topic: str, type_name: str, latched: bool = False) -> None:
+        """Let subscribers find a topic before the first message.
+
+        Args:
+            topic: is resolved and remapped.
+            type_name: ``pkg/Msg``.
+            latched: whether late subscribers get the last message.
+
+        Raises:
+            TransportError: as ``publish``.
+        """
+        self._mouths.mouth(topic, type_name, latched)
+
+    def serve(self, name: str, type_name: str, handler: Callable[[Mapping[str, Any]], Mapping[str, Any]]) -> None:
+        """Answer a service's requests from now on.
+
+        Args:
+            name: is resolved and remapped.
+            type_name: ``pkg/Srv``; the codec knows it as ``pkg/SrvRequest`` and ``pkg/SrvResponse``.
+            handler: from the fields of a request to those of its answer; an MrtaError refuses it with its one line.
+
+        Raises:
+            TransportError: the name or type is not known or accepted, or this node serves it already.
+        """
+        services.serve(
+            self.resolve(name), services.ServiceType.find(type_name, self.codec), self.codec, self.lock, handler
+        )
+
+    def call(self, name: str, type_name: str, fields: Mapping[str, Any], timeout: float) -> Mapping[str, Any]:
+        """Ask a service, not one of this node while its lock is held.
+
+        Args:
+            name: is resolved and remapped.
+            type_name: ``pkg/Srv``.
+            fields: of the request.
+            timeout: how long it may take in all, until it appears included [s].
+
+        Raises:
+            TransportError: it is not there, does not answer in time, refuses, or is of another type.
+        """
+        service = services.ServiceType.find(type_name, self.codec)
+        return services.call(self.resolve(name), service, self.codec, self._master, self.name, fields, timeout)
+
+    def parameter(self, name: str, default: Any = None) -> Any:
+        """Give a parameter as plain builtins.
+
+        Args:
+            name: global, relative or private (``~x``).
+            default: what it is where nobody has set it.
+
+        Raises:
+            TransportError: the name is not accepted, or no master answers.
+        """
+        found, _, value = self._master.ask("getParam", self.resolve(name))
+        return value if found else default
+
+    def parameters(self, namespace: str) -> Mapping[str, Any]:
+        """Give all parameters of a namespace, nested as their names are; empty if there are none.
+
+        Raises:
+            TransportError: as ``parameter``.
+        """
+        value = self.parameter(namespace, {})
+        return value if isinstance(value, dict) else {}
+
+    def set_parameter(self, name: str, value: Any) -> None:
+        """Set a parameter.
+
+        Raises:
+            TransportError: as ``parameter``, or the value is none that a parameter can have.
+        """
+        done, text, _ = self._master.ask("setParam", self.resolve(name), value)
+        if not done:
+            raise TransportError(f"parameter {name}: cannot be set: {text}")
+
+    def log(self, level: int, text: str) -> None:
+        """Say a line to people: on stderr and ``/rosout``, and in ROS's log file.
+
+        Args:
+            level: as of Python's logging.
+            text: one line.
+        """
+        _log.log(level, "%s", text)
+
+    def graph(self) -> Graph:
+        """Give what the master knows of nodes, topics and services.
+
+        Raises:
+            TransportError: no master answers.
+        """
+        return self._master.graph()
+
+    def on_time_jump(self, callback: Callable[[float, float], None]) -> None:
+        """Tell somebody when the clock goes backwards: the times before and after [s], before any later message."""
+        self._on_jump.append(callback)
+
+    def on_master(self, callback: Callable[[MasterChange], None]) -> None:
+        """Tell somebody when the master is lost, found again or a new one."""
+        self._on_master.append(callback)
+
+    def on_misfit(self, callback: Callable[[Misfit], None]) -> None:
+        """Tell somebody of connections whose two ends do not mean the same, once of each."""
+        self._on_misfit.append(callback)
+
+    def on_shutdown(self, callback: Callable[[], None]) -> None:
+        """Tell somebody when the node ends, while it can still publish."""
+        self._on_shutdown.append(callback)
+
+    def shut_down(self, reason: str) -> None:
+        """End the node; later calls do nothing.
+
+        Args:
+            reason: for the log.
+        """
+        rospy().signal_shutdown(reason)
+
+    def wait(self, timeout: Optional[float] = None) -> bool:
+        """Wait for the node's end.
+
+        Args:
+            timeout: for how long at most [s]; None: for ever.
+
+        Returns:
+            Whether it has ended.
+
+        Raises:
+            Exception: what a callback raised.
+        """
+        ended = self._ended.wait(timeout)
+        if self._failure is not None:
+            raise self._failure
+        return ended
+
+    def _begin(self) -> None:
+        rospy().on_shutdown(self._end)
+        self.advertise(*ROSOUT, latched=True)
+        self._rosout.attach()
+        watch_refusals(self._misfit)
+        if self._clock.simulated:
+            self._ears.add(
+                Hearer(lambda topic, _type: topic == CLOCK_TOPIC, lambda _stamped: None, None, CLOCK_TOPIC, None)
+            )
+        self._watch.start()
+
+    def _end(self) -> None:
+        self._ended.set()
+        for callback in self._on_shutdown:
+            try:
+                with self.lock:
+                    callback()
+            except Exception as error:  # noqa: BLE001 - the others are told all the same
+                self._failure = self._failure or error
+                _log.error("node=%s at its end: %s", self.name, error)
+        self._ears.closed = True
+        self._watch.stop()
+        self._rosout.close()
+
+    def _failed(self, error: Exception) -> None:
+        if self._failure is None:
+            self._failure = error
+        # Not in the thread of a connection, which holds the lock and would be closed by it.
+        threading.Thread(target=self.shut_down, args=(f"a callback failed: {error}",), daemon=True).start()
+
+    def _jumped(self, before: float, after: float) -> None:
+        for callback in self._on_jump:
+            callback(before, after)
+
+    def _master_changed(self, change: MasterChange) -> None:
+        _log.warning("master=%s %s", self._master.uri, change.value)
+        self._tell(self._on_master, change)
+
+    def _misfit(self, misfit: Misfit) -> None:
+        _log.warning("%s%s", misfit.text, f"\n{misfit.difference}" if misfit.difference else "")
+        self._tell(self._on_misfit, misfit)
+
+    def _tell(self, callbacks: Sequence[Callable[[Any], None]], news: object) -> None:
+        with self.lock:
+            try:
+                for callback in callbacks:
+                    callback(news)
+            except Exception as error:  # noqa: BLE001 - as for messages
+                self._failed(error)
+
+
+def _find(master: Master, wait: bool) -> None:
+    """Make sure that a master answers."""
+    told = False
+    while True:
+        try:
+            master.ask("getPid")
+        except TransportError as error:
+            if not wait:
+                raise MissingDependencyError(str(error)) from error
+            if not told:
+                _log.warning("%s; waiting for it", error)
+                told = True
+            time.sleep(_WAIT)
+        else:
+            return
