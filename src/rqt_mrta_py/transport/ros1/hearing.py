@@ -75,6 +75,7 @@ class Ears:
         codec: Codec,
         lock: Any,
         clock: RosClock,
+        *,
         on_connection: Callable[[Connection], None],
         on_jump: Callable[[float, float], None],
         on_failure: Callable[[Exception], None],
@@ -120,6 +121,12 @@ class Ears:
                 self._repeat_latched(topic, hearer)
         if hearer.topic:
             self._open(hearer.topic)
+        self.offer(self._topics)
+
+    def ask_again(self) -> None:
+        """Ask everybody anew what they want of the topics there are, and of what they hear already."""
+        with self._lock:
+            self._version += 1
         self.offer(self._topics)
 
     def offer(self, topics: Mapping[str, str]) -> None:

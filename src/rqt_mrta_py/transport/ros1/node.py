@@ -6,6 +6,7 @@ import logging
 import threading
 import time
 import warnings
+from contextlib import nullcontext
 from typing import Any, Callable, List, Mapping, Optional, Sequence
 
 from rqt_mrta_py.errors import MissingDependencyError, TransportError
@@ -26,6 +27,9 @@ from rqt_mrta_py.transport.ros1.watch import MasterChange, MasterWatch
 __all__ = ["RosNode"]
 
 _log = logging.getLogger("rqt_mrta_py.transport")
+
+_PATIENCE = 5.0
+"""How long to wait for somebody else who ends the node [s]."""
 
 _WAIT = 0.2
 """How long to wait before asking again for a master that is not there yet [s]."""
@@ -50,6 +54,7 @@ class RosNode:
         self._arguments = arguments
         self._master = master
         self._clock = clock
+        self._ending: Optional[threading.Thread] = None
         self._ended = threading.Event()
         self._failure: Optional[Exception] = None
         self._on_jump: List[Callable[[float, float], None]] = []
@@ -57,7 +62,14 @@ class RosNode:
         self._on_misfit: List[Callable[[Misfit], None]] = []
         self._on_shutdown: List[Callable[[], None]] = []
         misfits = Misfits(codec, self._misfit)
-        self._ears = Ears(codec, self.lock, clock, misfits.check, self._jumped, self._failed)
+        self._ears = Ears(
+            codec,
+            self.lock,
+            clock,
+            on_connection=misfits.check,
+            on_jump=self._jumped,
+            on_failure=self._failed,
+        )
         self._mouths = Mouths(codec, name, arguments)
         self._watch = MasterWatch(master, name, self._ears.offer, self._master_changed)
         self._rosout = RosoutHandler(name, self.now, self._mouths.publish)
@@ -113,7 +125,7 @@ class RosNode:
     @property
     def is_shut_down(self) -> bool:
         """Whether the node has ended or is about to."""
-        return self._ended.is_set()
+        return self._ending is not None
 
     def now(self) -> float:
         """Give ROS time [s]; where it is simulated, 0 before the first message of ``/clock``."""
@@ -189,20 +201,45 @@ class RosNode:
         """
         self._mouths.mouth(topic, type_name, latched)
 
-    def serve(self, name: str, type_name: str, handler: Callable[[Mapping[str, Any]], Mapping[str, Any]]) -> None:
+    def is_heard(self, topic: str, type_name: str, latched: bool = False) -> bool:
+        """Tell whether a message would reach anybody, now or later; for what is costly to make.
+
+        Args:
+            topic: is resolved and remapped.
+            type_name: ``pkg/Msg``.
+            latched: whether late subscribers get the last message.
+
+        Raises:
+            TransportError: as ``publish``.
+        """
+        return self._mouths.mouth(topic, type_name, latched).is_heard
+
+    def ask_again(self) -> None:
+        """Ask all who hear whole topics anew what they want; for those who have changed their mind."""
+        self._ears.ask_again()
+
+    def serve(
+        self,
+        name: str,
+        type_name: str,
+        handler: Callable[[Mapping[str, Any]], Mapping[str, Any]],
+        *,
+        alone: bool = True,
+    ) -> None:
         """Answer a service's requests from now on.
 
         Args:
             name: is resolved and remapped.
             type_name: ``pkg/Srv``; the codec knows it as ``pkg/SrvRequest`` and ``pkg/SrvResponse``.
             handler: from the fields of a request to those of its answer; an MrtaError refuses it with its one line.
+            alone: whether the handler is called while the lock is held; else it takes the lock itself for what needs
+                it, and messages are heard while it works.
 
         Raises:
             TransportError: the name or type is not known or accepted, or this node serves it already.
         """
-        services.serve(
-            self.resolve(name), services.ServiceType.find(type_name, self.codec), self.codec, self.lock, handler
-        )
+        lock = self.lock if alone else nullcontext()
+        services.serve(self.resolve(name), services.ServiceType.find(type_name, self.codec), self.codec, lock, handler)
 
     def call(self, name: str, type_name: str, fields: Mapping[str, Any], timeout: float) -> Mapping[str, Any]:
         """Ask a service, not one of this node while its lock is held.
@@ -217,7 +254,9 @@ class RosNode:
             TransportError: it is not there, does not answer in time, refuses, or is of another type.
         """
         service = services.ServiceType.find(type_name, self.codec)
-        return services.call(self.resolve(name), service, self.codec, self._master, self.name, fields, timeout)
+        return services.call(
+            self.resolve(name), service, fields, timeout, codec=self.codec, master=self._master, caller=self.name
+        )
 
     def parameter(self, name: str, default: Any = None) -> Any:
         """Give a parameter as plain builtins.
@@ -291,9 +330,12 @@ class RosNode:
             reason: for the log.
         """
         rospy().signal_shutdown(reason)
+        # Somebody else may be at it.
+        if self._ending is not threading.current_thread():
+            self._ended.wait(_PATIENCE)
 
     def wait(self, timeout: Optional[float] = None) -> bool:
-        """Wait for the node's end.
+        """Wait for the node's end, until all who are to be told of it have been and the master knows.
 
         Args:
             timeout: for how long at most [s]; None: for ever.
@@ -310,7 +352,9 @@ class RosNode:
         return ended
 
     def _begin(self) -> None:
-        rospy().on_shutdown(self._end)
+        ros = rospy()
+        ros.on_shutdown(self._end)
+        ros.core.add_shutdown_hook(lambda _reason: self._ended.set())
         self.advertise(*ROSOUT, latched=True)
         self._rosout.attach()
         watch_refusals(self._misfit)
@@ -321,7 +365,7 @@ class RosNode:
         self._watch.start()
 
     def _end(self) -> None:
-        self._ended.set()
+        self._ending = threading.current_thread()
         for callback in self._on_shutdown:
             try:
                 with self.lock:
@@ -336,6 +380,7 @@ class RosNode:
     def _failed(self, error: Exception) -> None:
         if self._failure is None:
             self._failure = error
+        self._ears.closed = True
         # Not in the thread of a connection, which holds the lock and would be closed by it.
         threading.Thread(target=self.shut_down, args=(f"a callback failed: {error}",), daemon=True).start()
 
