@@ -26,6 +26,7 @@ from rqt_mrta_py.hooks import (
     PanelSetup,
     RobotModel,
     Stamped,
+    Subscription,
 )
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Event, Mission, MissionRecord
@@ -48,6 +49,7 @@ class Observation:
     Attributes:
         mission: what it is about.
         supervisor: states, allocations, events, incidents.
+        wishes: what anybody here wants to hear, each once.
     """
 
     def __init__(
@@ -83,13 +85,17 @@ class Observation:
         self._measures = measures_for(mission, manager)
         self._dispatcher = Dispatcher(codec, self.supervisor.report)
         self._dispatcher.watch(self.supervisor.sighting)
+        wishes: List[Subscription] = []
         for subscription, callback in self.supervisor.listeners():
             self._dispatcher.subscribe(subscription, callback)
+            wishes.append(subscription)
         heard_by: List[Listener] = [self._scene, *self._panels, *self._measures.values()]
         listeners = [*heard_by, *further, *observers_of(mission, manager)]
         for listener in listeners:
             for subscription in listener.subscriptions():
                 self._dispatcher.subscribe(subscription, listener.hear)
+                wishes.append(subscription)
+        self.wishes: Sequence[Subscription] = tuple(dict.fromkeys(wishes))
         manager.notify("mrta_on_mission_start", mission=mission)
 
     def feed(self, stamped: Stamped) -> None:
@@ -112,6 +118,10 @@ class Observation:
         """
         return self._view(now, self.supervisor.record(now), now - CURVE_WINDOW, whole=False)
 
+    def view_without_panels(self, now: float) -> MonitorView:
+        """Give the same without curves, which take longest: enough for the team's state and markers."""
+        return self._view(now, self.supervisor.record(now), None, whole=False)
+
     def team_state(self, view: MonitorView) -> Outgoing:
         """Give the whole team at a view's moment as a message to publish."""
         return team_news(view.record, view.now)
@@ -130,7 +140,7 @@ class Observation:
         """Give what the picture of a finished mission shows."""
         return self._view(record.end or 0.0, record, record.start or 0.0, whole=True)
 
-    def _view(self, now: float, record: MissionRecord, curves_from: float, whole: bool) -> MonitorView:
+    def _view(self, now: float, record: MissionRecord, curves_from: Optional[float], whole: bool) -> MonitorView:
         architecture = self.mission.architecture
         parts = [architecture.name, str(architecture.taxonomy)]
         if self.mission.seed is not None:
@@ -142,7 +152,9 @@ class Observation:
             now=now,
             record=record,
             scene=self._scene.view(now, whole=whole),
-            panels=tuple(panel.view(max(curves_from, start), now) for panel in self._panels),
+            panels=()
+            if curves_from is None
+            else tuple(panel.view(max(curves_from, start), now) for panel in self._panels),
             duration=self._duration,
         )
 

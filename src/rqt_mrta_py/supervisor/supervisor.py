@@ -131,6 +131,36 @@ class Supervisor:
                 team.expire()
         return self._describe(team, end, events)
 
+    @property
+    def has_news(self) -> bool:
+        """Whether there is something to say since ``news`` was last asked."""
+        return bool(self._news)
+
+    @property
+    def robots(self) -> Sequence[str]:
+        """Ids of the robots that are watched, in order; more may be admitted by first sight."""
+        return tuple(self._team.robots) or tuple(robot.id for robot in self._mission.application.robots)
+
+    def settle(self) -> None:
+        """Draw now, rather than with the next message, what conclusions everybody's hearing of a message allows."""
+        if self._team.book.unsettled and self._finished is None:
+            self._team.settle()
+
+    def let_pass(self, until: float) -> None:
+        """Let time pass though no message came: what falls due before a time happens.
+
+        A stream that goes on at that time or later gives the same events whether this is called or not; those that
+        nothing follows are told only because it is.
+
+        Args:
+            until: no message will be received before it [s].
+        """
+        if self._start is None or self._finished is not None:
+            return
+        self.settle()
+        if until > self._team.now:
+            self._pass(until)
+
     def finish(self) -> MissionRecord:
         """End the stream and sum the mission up; whatever lasts ends with the newest message.
 
