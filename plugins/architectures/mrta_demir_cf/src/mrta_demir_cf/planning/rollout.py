@@ -87,7 +87,9 @@ class Rollout:
             candidates = candidates[np.isfinite(distances[candidates])]
         holders = owners(robots, targets[candidates])
         group = self._group(robots, robot)
-        imagined = np.isin(holders, group)
+        is_imagined = np.zeros(len(robots), dtype=np.bool_)
+        is_imagined[group] = True
+        imagined = is_imagined[holders]
         candidates, holders = candidates[imagined], holders[imagined]
         own = squared_distances(robots[robot], targets[candidates])
         if len(candidates) > self.horizon:

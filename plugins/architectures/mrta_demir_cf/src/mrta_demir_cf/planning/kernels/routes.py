@@ -70,29 +70,56 @@ def insert_all(ways: Floats, team: int, balance: bool) -> Indices:
     lengths = np.zeros(team)
     added = np.empty((count, team))
     place = np.empty((count, team), dtype=np.intp)
+    bidder = np.zeros(count, dtype=np.intp)
     for target in range(team, count):
         for robot in range(team):
             added[target, robot] = ways[robot, target]
             place[target, robot] = robot
+        bidder[target] = _best_bidder(target, added, lengths, balance)
     waiting = np.ones(count, dtype=np.bool_)
     for _ in range(team, count):
-        lowest, chosen, winner = np.inf, team, 0
+        lowest, chosen = np.inf, -1
         for target in range(team, count):
-            if not waiting[target]:
-                continue
-            for robot in range(team):
+            if waiting[target]:
+                robot = bidder[target]
                 bid = added[target, robot] + (lengths[robot] if balance else 0.0)
-                if bid < lowest:
-                    lowest, chosen, winner = bid, target, robot
+                if chosen < 0 or bid < lowest:
+                    lowest, chosen = bid, target
+        winner = bidder[chosen]
         before = place[chosen, winner]
-        after[chosen] = after[before]
+        following = after[before]
+        after[chosen] = following
         after[before] = chosen
         waiting[chosen] = False
         lengths[winner] += added[chosen, winner]
         for target in range(team, count):
-            if waiting[target]:
+            if not waiting[target]:
+                continue
+            if place[target, winner] == before:
                 added[target, winner], place[target, winner] = _cheapest_place(target, winner, after, ways)
+            else:
+                for node in (before, chosen):
+                    more = _insertion(node, target, after[node], ways)
+                    if more < added[target, winner]:
+                        added[target, winner], place[target, winner] = more, node
+            bidder[target] = _best_bidder(target, added, lengths, balance)
     return _in_a_row(after, team)
+
+
+@kernel
+def _best_bidder(target: int, added: Floats, lengths: Floats, balance: bool) -> int:
+    lowest, bidder = np.inf, 0
+    for robot in range(len(lengths)):
+        bid = added[target, robot] + (lengths[robot] if balance else 0.0)
+        if bid < lowest:
+            lowest, bidder = bid, robot
+    return bidder
+
+
+@kernel
+def _insertion(node: int, target: int, following: int, ways: Floats) -> float:
+    """Give what it adds to put a target between a node and what follows it [m]."""
+    return float(ways[node, target] + ways[target, following] - ways[node, following])
 
 
 @kernel
@@ -103,7 +130,7 @@ def _cheapest_place(target: int, robot: int, after: Indices, ways: Floats) -> Tu
     node = robot
     while node != end:
         following = after[node]
-        added = ways[node, target] + ways[target, following] - ways[node, following]
+        added = _insertion(node, target, following, ways)
         if added < lowest:
             lowest, place = added, node
         node = following
@@ -141,7 +168,9 @@ def improve(plan: Indices, ways: Floats, team: int, balance: bool) -> None:
 def _move_segments(plan: Indices, ways: Floats, team: int, balance: bool) -> bool:
     """Move each segment of up to three targets to its best place anywhere, either way round."""
     moved = False
+    into = ways.T.copy()
     lengths = route_lengths(plan, ways, team)
+    steps = _steps(plan, ways)
     owner = 0
     for first in range(1, len(plan)):
         if plan[first] < team:
@@ -150,10 +179,11 @@ def _move_segments(plan: Indices, ways: Floats, team: int, balance: bool) -> boo
         for size in range(1, _LONGEST_SEGMENT + 1):
             if first + size > len(plan) or plan[first + size - 1] < team:
                 break
-            place, reverse = _best_place(plan, first, size, owner, lengths, ways, balance)
+            place, reverse = _best_place(plan, first, size, owner, lengths, steps, ways, into, balance)
             if place >= 0:
                 _shift(plan, first, size, place, reverse)
                 lengths = route_lengths(plan, ways, team)
+                steps = _steps(plan, ways)
                 moved = True
                 # What stands here now may belong to another route.
                 owner = _owner(plan, first, team)
@@ -162,36 +192,59 @@ def _move_segments(plan: Indices, ways: Floats, team: int, balance: bool) -> boo
 
 
 @kernel
+def _steps(plan: Indices, ways: Floats) -> Floats:
+    """Give the length of the way from each place of a plan to the next, (M + N,) [m]; none leaves the last."""
+    steps = np.zeros(len(plan))
+    for place in range(len(plan) - 1):
+        steps[place] = ways[plan[place], plan[place + 1]]
+    return steps
+
+
+@kernel
 def _best_place(  # noqa: PLR0917 - numba knows no keyword-only arguments
-    plan: Indices, first: int, size: int, owner: int, lengths: Floats, ways: Floats, balance: bool
+    plan: Indices,
+    first: int,
+    size: int,
+    owner: int,
+    lengths: Floats,
+    steps: Floats,
+    ways: Floats,
+    into: Floats,
+    balance: bool,
 ) -> Tuple[int, bool]:
     """Give the place behind which a segment is best put, and whether to turn it round; -1 if it is best where it is."""
     team, end = len(lengths), len(ways) - 1
     head, tail = plan[first], plan[first + size - 1]
     before = plan[first - 1]
     behind = plan[first + size] if first + size < len(plan) else end
-    saved = ways[before, head] + ways[tail, behind] - ways[before, behind]
+    saved = steps[first - 1] + steps[first + size - 1] - ways[before, behind]
     inside = 0.0
     for place in range(first, first + size - 1):
-        inside += ways[plan[place], plan[place + 1]]
+        inside += steps[place]
+    # One row of each suffices, for what changes is near the segment's ends.
+    to_head, to_tail, from_head, from_tail = into[head], into[tail], ways[head], ways[tail]
     most, best, reverse = _LEAST_GAIN, -1, False
-    robot = 0
+    robot, hopeless = 0, False
     for place in range(len(plan)):
-        if plan[place] < team:
-            robot = plan[place]
-        if first - 1 <= place < first + size:
-            continue
         left = plan[place]
-        right = plan[place + 1] if place + 1 < len(plan) else end
-        for turned in range(2):
-            near, far = (tail, head) if turned else (head, tail)
-            added = ways[left, near] + ways[far, right] - ways[left, right]
-            gain = saved - added
+        if left < team:
+            robot = left
+            # No more can be gained here, for no route gets shorter by a segment put into it, its own length counted.
+            hopeless = saved + inside <= most
             if balance and robot != owner:
-                shorter, longer = lengths[owner] - saved - inside, lengths[robot] + added + inside
-                gain = max(lengths[owner], lengths[robot]) - max(shorter, longer)
-            if gain > most:
-                most, best, reverse = gain, place, turned == 1
+                hopeless = lengths[owner] - lengths[robot] <= most
+        if hopeless or first - 1 <= place < first + size:
+            continue
+        right = plan[place + 1] if place + 1 < len(plan) else end
+        straight = to_head[left] + from_tail[right]
+        turned = to_tail[left] + from_head[right]
+        added = min(straight, turned) - steps[place]
+        gain = saved - added
+        if balance and robot != owner:
+            shorter, longer = lengths[owner] - saved - inside, lengths[robot] + added + inside
+            gain = lengths[owner] - max(shorter, longer)
+        if gain > most:
+            most, best, reverse = gain, place, turned < straight
     return best, reverse
 
 
