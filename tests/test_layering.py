@@ -30,6 +30,8 @@ LADDER["app"] = frozenset({*BESIDE, "model", "config", "hooks", *MIDDLE})
 DOORS = {
     "rospy": "transport/ros1",
     "genpy": "transport/ros1",
+    "genmsg": "transport/ros1",
+    "rosgraph": "transport/ros1",
     "pybullet": "sim/bullet",
     "rosbags": "transport",
     "cv2": "render",

@@ -5,6 +5,7 @@
 * ``embedded``: the bus of simulated runs
 * ``batch``: messages of one moment, column by column; ``packing`` brings them from process to process
 * ``bags``: as they are recorded, as they are read, whole or not
+* ``ros1``: this process as a node of a live ROS 1 graph; not imported here, for it may be absent
 * ``rosbags_door``: the only place that imports rosbags
 """
 

@@ -33,12 +33,14 @@ class BagInfo:
         start_ns: receipt of the first message [ns]; None if there is none.
         end_ns: receipt of the last message [ns]; None if there is none.
         connections: every connection with its number of messages, in the order of the bag.
+        spans: receipt of the first and the last message of each of them that has any, with it and its number [ns].
     """
 
     path: Path
     start_ns: Optional[int]
     end_ns: Optional[int]
     connections: Tuple[Tuple[Connection, int], ...]
+    spans: Tuple[Tuple[Connection, int, int, int], ...] = ()
 
     @property
     def messages(self) -> int:
@@ -65,9 +67,16 @@ def read_bag_info(path: Path) -> BagInfo:
         MissingDependencyError: rosbags is not installed.
     """
     with _opened(path) as reader:
-        connections = tuple((_connection(found), found.msgcount) for found in reader.connections)
-        times = [entry.time for entries in reader.indexes.values() for entry in entries]
-    return BagInfo(path, min(times, default=None), max(times, default=None), connections)
+        connections, spans = [], []
+        for found in reader.connections:
+            connection = _connection(found)
+            connections.append((connection, found.msgcount))
+            times = [entry.time for entry in reader.indexes.get(found.id, ())]
+            if times:
+                spans.append((connection, len(times), min(times), max(times)))
+    start_ns = min((start for _, _, start, _ in spans), default=None)
+    end_ns = max((end for _, _, _, end in spans), default=None)
+    return BagInfo(path, start_ns, end_ns, tuple(connections), tuple(spans))
 
 
 def read_bag(path: Path, topics: Optional[Collection[str]] = None) -> Iterator[Stamped]:

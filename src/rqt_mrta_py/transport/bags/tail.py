@@ -7,7 +7,6 @@ their lengths last. What is damaged is passed over and told, as by ``ChunkWalk``
 from __future__ import annotations
 
 import io
-import os
 from pathlib import Path
 from typing import Iterator, Optional
 
@@ -39,6 +38,12 @@ class BagTail(ChunkWalk):
         self._file = self._opened()
         self.position = len(MAGIC)
 
+    @property
+    def indexed(self) -> bool:
+        """Tell whether the bag has an index, so that its recording is over."""
+        self.size = self._file.seek(0, io.SEEK_END)
+        return self._index_begins(self._file) > 0
+
     def close(self) -> None:
         """Let the file go."""
         self._file.close()
@@ -68,10 +73,6 @@ class BagTail(ChunkWalk):
                 for inner in self._records(stretch, record.begin):
                     yield from self._message(stretch, inner)
         self.complete = 0 < self._index_position <= self.position
-
-    def grown(self) -> bool:
-        """Tell whether anything has been written since the last look."""
-        return os.fstat(self._file.fileno()).st_size != self.size
 
     def _next_record(self) -> Optional[Record]:
         """Give the next record that stands there whole; None if it is still to be written."""

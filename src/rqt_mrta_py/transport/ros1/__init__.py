@@ -2,7 +2,7 @@
 
 * ``node``: all of it, behind one class
 * ``door``: the only place that imports rospy, genpy and rosgraph
-* ``arguments``: remappings and private parameters; ``clock``: ROS time
+* ``starting``: how a process becomes a node; ``arguments``: remappings and private parameters; ``clock``: ROS time
 * ``hearing``, ``publishing``, ``services``: messages and requests as bytes; ``raw``: the classes that carry them
 * ``master``, ``registrations``, ``watch``: the master, also when it is lost or restarted
 * ``misfits``: connections whose ends do not mean the same

@@ -34,9 +34,7 @@ class RosClock:
     def receipt(self) -> int:
         """Give the time of a message that arrives now, never before that of the one before [ns]."""
         if not self.simulated:
-            now = _wall_ns()
-            if now > self._now:
-                self._now = now
+            self._now = max(self._now, _wall_ns())
         return self._now
 
     def tick(self, raw: bytes) -> Optional[Tuple[float, float]]:

@@ -19,7 +19,6 @@ NETWORK_ERRORS: Tuple[Type[BaseException], ...] = (
     XmlRpcError,
     ExpatError,
     ValueError,
-    TypeError,
 )
 """What a question to a master or to another node may end in, an answer that is none included."""
 

@@ -7,6 +7,9 @@ from contextlib import contextmanager
 from typing import Callable, Iterator, List, Tuple
 
 from rqt_mrta_py.hooks import Outgoing
+from rqt_mrta_py.transport.ros1.door import rospy
+
+_log = logging.getLogger("rqt_mrta_py.transport")
 
 __all__ = ["ROSOUT", "RosoutHandler", "own_logging"]
 
@@ -80,6 +83,8 @@ class RosoutHandler(logging.Handler):
 @contextmanager
 def own_logging() -> Iterator[None]:
     """Keep this program's logging while rospy sets up its own; ROS's log file gets the lines of both."""
+    # What is asked to end over the network says so with print, among what a command prints for a program to read.
+    vars(rospy().impl.masterslave)["print"] = _log.info
     root = logging.getLogger()
     handlers, level = list(root.handlers), root.level
     try:

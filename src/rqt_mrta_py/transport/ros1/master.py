@@ -54,11 +54,15 @@ class Master:
     Args:
         uri: where it listens.
         caller: resolved name of the node that asks.
+
+    Attributes:
+        uri: see above.
+        caller: see above.
     """
 
     def __init__(self, uri: str, caller: str) -> None:
         self.uri = uri
-        self._caller = caller
+        self.caller = caller
         self._lock = threading.Lock()
         self._proxy = xmlrpc.client.ServerProxy(uri, transport=_PatientTransport(_PATIENCE))
 
@@ -73,16 +77,20 @@ class Master:
             Whether it succeeded, what it says of it, and the value.
 
         Raises:
-            TransportError: it does not answer.
+            TransportError: it does not answer, or an argument is none that it can be told.
         """
         try:
             with self._lock:
-                code, text, value = getattr(self._proxy, method)(self._caller, *arguments)
+                answer = getattr(self._proxy, method)(self.caller, *arguments)
+        except (TypeError, OverflowError) as error:
+            raise TransportError(f"ROS cannot carry {arguments[-1]!r}: {error}") from error
         except NETWORK_ERRORS as error:
             raise TransportError(
                 f"no ROS master answers at {self.uri} ({error}); start one with roscore, or set ROS_MASTER_URI"
             ) from error
-        return code == 1, str(text), value
+        if not (isinstance(answer, list) and len(answer) == 3):
+            raise TransportError(f"what answers at {self.uri} is no ROS master: it says {str(answer)[:80]!r}")
+        return answer[0] == 1, str(answer[1]), answer[2]
 
     def graph(self) -> Graph:
         """Give what it knows of nodes, topics and services.

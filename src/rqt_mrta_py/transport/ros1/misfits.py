@@ -69,31 +69,24 @@ class Misfits:
             self._tell(connection, text, before, before.caller)
 
     def _tell(self, connection: Connection, text: str, other: Connection, name: str) -> None:
-        diff = difference(other.type, other.definition, connection.type, connection.definition, name, connection.caller)
-        self._report(Misfit(connection.topic, connection.caller, text, diff))
+        self._report(Misfit(connection.topic, connection.caller, text, difference(other, connection, name)))
 
 
-def difference(
-    type_a: str, definition_a: str, type_b: str, definition_b: str, name_a: str = "a", name_b: str = "b"
-) -> str:
+def difference(ours: Connection, theirs: Connection, whose: str) -> str:
     """Tell two definitions apart.
 
     Args:
-        type_a: ``pkg/Msg``.
-        definition_a: its full text.
-        type_b: of the other.
-        definition_b: of the other.
-        name_a: who says so, for the heading.
-        name_b: the other.
+        ours: of which the lines with ``-`` are; only type and definition count.
+        theirs: of which the lines with ``+`` are, under its caller's name.
+        whose: what the former is called.
 
     Returns:
         A unified diff of what they declare, without comments; empty if a definition is not known or they declare
         the same.
     """
-    if not (definition_a and definition_b):
+    if not (ours.definition and theirs.definition):
         return ""
-    lines = (_declared(type_a, definition_a), _declared(type_b, definition_b))
-    return "\n".join(difflib.unified_diff(*lines, name_a, name_b, lineterm="", n=1))
+    return "\n".join(difflib.unified_diff(_declared(ours), _declared(theirs), whose, theirs.caller, lineterm="", n=1))
 
 
 def watch_refusals(report: Callable[[Misfit], None]) -> None:
@@ -127,16 +120,16 @@ def _refused(topic: str, header: Mapping[str, str], carrier: Any) -> Misfit:
         f"{caller} wants {topic} as {type_name} with md5 {md5}; "
         f"it is published here as {carrier._type} with md5 {carrier._md5sum}, and {caller} does not hear it"
     )
-    definition = header.get("message_definition", "")
-    diff = difference(carrier._type, carrier._full_text, type_name, definition, "published here", caller)
-    return Misfit(topic, caller, text, diff)
+    own = Connection(topic, carrier._type, carrier._md5sum, carrier._full_text)
+    theirs = Connection(topic, type_name, md5, header.get("message_definition", ""), caller)
+    return Misfit(topic, caller, text, difference(own, theirs, "published here"))
 
 
-def _declared(type_name: str, full_text: str) -> List[str]:
+def _declared(connection: Connection) -> List[str]:
     try:
-        specs = parse_definition(type_name, full_text).specs
+        specs = parse_definition(connection.type, connection.definition).specs
     except TransportError:
-        return [line.strip() for line in full_text.splitlines() if line.strip()]
+        return [line.strip() for line in connection.definition.splitlines() if line.strip()]
     return [line for name, spec in specs.items() for line in (f"MSG: {name}", *_lines(spec))]
 
 

@@ -4,24 +4,23 @@ from __future__ import annotations
 
 import logging
 import threading
-import time
-import warnings
 from contextlib import nullcontext
 from typing import Any, Callable, List, Mapping, Optional, Sequence
 
-from rqt_mrta_py.errors import MissingDependencyError, TransportError
+from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import AnyOutgoing, Codec, Heard, Stamped, Subscription
-from rqt_mrta_py.model import is_legal_name, resolve_name
+from rqt_mrta_py.model import resolve_name
 from rqt_mrta_py.transport.patterns import resolve_topic
 from rqt_mrta_py.transport.ros1 import services
 from rqt_mrta_py.transport.ros1.arguments import NodeArguments
 from rqt_mrta_py.transport.ros1.clock import CLOCK_TOPIC, RosClock
-from rqt_mrta_py.transport.ros1.door import rosgraph, rospy
+from rqt_mrta_py.transport.ros1.door import rospy
 from rqt_mrta_py.transport.ros1.hearing import Ears, Hearer
-from rqt_mrta_py.transport.ros1.logs import ROSOUT, RosoutHandler, own_logging
+from rqt_mrta_py.transport.ros1.logs import ROSOUT, RosoutHandler
 from rqt_mrta_py.transport.ros1.master import Graph, Master
 from rqt_mrta_py.transport.ros1.misfits import Misfit, Misfits, watch_refusals
 from rqt_mrta_py.transport.ros1.publishing import Mouths
+from rqt_mrta_py.transport.ros1.starting import become_node
 from rqt_mrta_py.transport.ros1.watch import MasterChange, MasterWatch
 
 __all__ = ["RosNode"]
@@ -30,9 +29,6 @@ _log = logging.getLogger("rqt_mrta_py.transport")
 
 _PATIENCE = 5.0
 """How long to wait for somebody else who ends the node [s]."""
-
-_WAIT = 0.2
-"""How long to wait before asking again for a master that is not there yet [s]."""
 
 
 class RosNode:
@@ -47,8 +43,8 @@ class RosNode:
         lock: who touches what callbacks touch, in another thread, holds it meanwhile.
     """
 
-    def __init__(self, name: str, codec: Codec, arguments: NodeArguments, master: Master, clock: RosClock) -> None:
-        self.name = name
+    def __init__(self, codec: Codec, arguments: NodeArguments, master: Master, clock: RosClock) -> None:
+        self.name = name = master.caller
         self.codec = codec
         self.lock = threading.RLock()
         self._arguments = arguments
@@ -98,27 +94,9 @@ class RosNode:
             TransportError: the name or an argument is none that ROS accepts, or the process is a node already.
         """
         given = NodeArguments.read(arguments)
-        if not is_legal_name(name) or "/" in name or "~" in name:
-            raise TransportError(f"{name!r} cannot be the name of a node: letters, digits and _, a letter first")
-        ros = rospy()
-        if ros.core.is_initialized():
-            raise TransportError(f"{name}: this process is a ROS node already; it can be one only once")
-        master = Master(rosgraph().get_master_uri(), f"{given.namespace}{name}")
-        _find(master, await_master)
-        ros.names._set_caller_id(f"{given.namespace}unnamed")
-        with own_logging(), warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            ros.init_node(
-                name,
-                argv=[name, *given.passed_on],
-                anonymous=anonymous,
-                disable_signals=True,
-                disable_rosout=True,
-                disable_rostime=True,
-            )
-        resolved: str = ros.get_name()
-        simulated = master.ask("getParam", "/use_sim_time")
-        node = cls(resolved, codec, given, Master(master.uri, resolved), RosClock(bool(simulated[0] and simulated[2])))
+        master = become_node(name, given, anonymous, await_master)
+        simulated, _, value = master.ask("getParam", "/use_sim_time")
+        node = cls(codec, given, master, RosClock(bool(simulated and value)))
         node._begin()
         return node
 
@@ -403,20 +381,3 @@ class RosNode:
                     callback(news)
             except Exception as error:  # noqa: BLE001 - as for messages
                 self._failed(error)
-
-
-def _find(master: Master, wait: bool) -> None:
-    """Make sure that a master answers."""
-    told = False
-    while True:
-        try:
-            master.ask("getPid")
-        except TransportError as error:
-            if not wait:
-                raise MissingDependencyError(str(error)) from error
-            if not told:
-                _log.warning("%s; waiting for it", error)
-                told = True
-            time.sleep(_WAIT)
-        else:
-            return

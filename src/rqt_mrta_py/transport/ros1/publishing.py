@@ -59,8 +59,13 @@ class _Mouth:
             self._publisher.impl.enable_latch()
 
     def say(self, raw: bytes) -> None:
-        """Publish a message."""
-        self._publisher.publish(filled(self._carrier, raw))
+        """Publish a message; while the node ends, nobody hears it any more."""
+        ros = rospy()
+        try:
+            self._publisher.publish(filled(self._carrier, raw))
+        except ros.ROSException:
+            if not ros.core.is_shutdown_requested():
+                raise
 
 
 class Mouths:

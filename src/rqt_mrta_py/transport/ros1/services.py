@@ -104,22 +104,23 @@ def serve(name: str, service: ServiceType, codec: Codec, lock: Any, handler: Han
 def call(
     name: str,
     service: ServiceType,
+    fields: Mapping[str, Any],
+    timeout: float,
+    *,
     codec: Codec,
     master: Master,
     caller: str,
-    fields: Mapping[str, Any],
-    timeout: float,
 ) -> Mapping[str, Any]:
     """Ask a service; it may still have to appear.
 
     Args:
         name: resolved.
         service: its type.
+        fields: of the request.
+        timeout: how long it may take in all [s].
         codec: writes the request and reads the answer.
         master: knows who serves it.
         caller: resolved name of the node that asks.
-        fields: of the request.
-        timeout: how long it may take in all [s].
 
     Returns:
         The fields of the answer.
@@ -150,7 +151,10 @@ def _exchange(
 ) -> bytes:
     network = rosgraph().network
     network.write_ros_handshake_header(connection, dict(header))
-    reply = network.read_ros_handshake_header(connection, io.BytesIO(), 4096)
+    try:
+        reply = network.read_ros_handshake_header(connection, io.BytesIO(), 4096)
+    except network.ROSHandshakeException as error:
+        raise OSError(f"it does not speak as a service does: {error}") from error
     if "error" in reply:
         raise TransportError(f"service {name}: refused: {reply['error']}")
     connection.sendall(_length.pack(len(request)) + request)
