@@ -1,0 +1,66 @@
+"""A team whose messages take any time to arrive does exactly what it does in one process."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import List, Sequence, Tuple
+
+import pytest
+
+from rqt_mrta_py.app.compose import Host, compose
+from rqt_mrta_py.app.run.embedded import EmbeddedRun
+from rqt_mrta_py.config.mission import load_mission
+from rqt_mrta_py.hooks import Stamped
+from rqt_mrta_py.model import Mission, ScenarioEvent, ScenarioEventKind
+from tests.app.live.scattered_team import ScatteredTeam
+
+EVENTS: Sequence[Tuple[float, ScenarioEventKind, str, str, object]] = (
+    (0.5, ScenarioEventKind.ROBOT_STOPS, "robot2", "", {}),
+    (0.8, ScenarioEventKind.ROBOT_CLOCK_SHIFTS, "robot1", "", {"offset": 2.0}),
+    (1.2, ScenarioEventKind.TASK_WITHDRAWN, "", "wander", {}),
+    (1.5, ScenarioEventKind.ROBOT_RETURNS, "robot2", "", {}),
+    (1.5, ScenarioEventKind.TASK_REASSIGNED, "robot2", "report", {}),
+    (2.0, ScenarioEventKind.ROBOT_CLOCK_SHIFTS, "robot1", "", {"offset": 0.0}),
+)
+
+
+@pytest.fixture(scope="module")
+def host() -> Host:
+    return compose()
+
+
+def troubled(mission: Mission) -> Mission:
+    """Let things happen soon to the first robots of border_patrol, in a world that costs little."""
+    events = tuple(
+        ScenarioEvent(time, kind, robot or None, task or None, parameters)
+        for time, kind, robot, task, parameters in EVENTS
+    )
+    assert mission.scenario is not None
+    return dataclasses.replace(mission, scenario=dataclasses.replace(mission.scenario, world="planar", events=events))
+
+
+@pytest.mark.parametrize(
+    ("application", "architecture"),
+    [("border_patrol", "mrta_alliance"), ("border_patrol", "mrta_l_alliance"), ("target_visiting", "mrta_demir_cf")],
+)
+def test_every_message_of_a_scattered_team_is_that_of_a_run_in_one_process(
+    host: Host, application: str, architecture: str
+) -> None:
+    kinds = host.manager.registered("mrta_register_behaviours")
+    mission = load_mission(host.registry, application, architecture, seed=3, checks=host.manager, kinds=kinds)
+    if application == "border_patrol":
+        mission = troubled(mission)
+    codec = host.codec()
+    expected: List[Stamped] = []
+    run = EmbeddedRun(mission, 2.5, codec, host.manager)
+    run.bus.tap(expected.extend)
+    for tick in range(run.last_tick + 1):
+        run.step(tick)
+    run.close()
+    team = ScatteredTeam(mission, 2.5, codec, host.manager, chance=1)
+    found = list(team.run())
+    team.close()
+    assert [(each.connection.caller, each.connection.topic) for each in found] == [
+        (each.connection.caller, each.connection.topic) for each in expected
+    ]
+    assert [(each.receipt_ns, each.raw) for each in found] == [(each.receipt_ns, each.raw) for each in expected]
