@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 import threading
 from contextlib import nullcontext
-from typing import Any, Callable, List, Mapping, Optional, Sequence
+from typing import Any, Callable, FrozenSet, List, Mapping, Optional, Sequence
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import AnyOutgoing, Codec, Heard, Stamped, Subscription
@@ -79,6 +79,7 @@ class RosNode:
         anonymous: bool = False,
         arguments: Sequence[str] = (),
         await_master: bool = True,
+        rosout: bool = True,
     ) -> RosNode:
         """Make this process a node; signals stay the program's.
 
@@ -88,6 +89,7 @@ class RosNode:
             anonymous: whether to add to the name what makes it unique.
             arguments: remappings and private parameters as ROS writes them.
             await_master: whether to wait for a master that is not there yet.
+            rosout: whether log lines of this process are published too; what callers publish there is.
 
         Raises:
             MissingDependencyError: ROS is not installed, or no master answers and is not waited for.
@@ -97,7 +99,7 @@ class RosNode:
         master = become_node(name, given, anonymous, await_master)
         simulated, _, value = master.ask("getParam", "/use_sim_time")
         node = cls(codec, given, master, RosClock(bool(simulated and value)))
-        node._begin()
+        node._begin(rosout)
         return node
 
     @property
@@ -152,6 +154,35 @@ class RosNode:
         """
         self._ears.add(Hearer(wanted, callback, receipts, "", None))
         self._watch.wake()
+
+    def hear_topic(self, topic: str, callback: Callable[[Stamped], None]) -> None:
+        """Hear one topic from now on as it is, whether anybody publishes it yet or not.
+
+        Args:
+            topic: resolved.
+            callback: is told of each message.
+        """
+        self._ears.add(Hearer(lambda name, _type: name == topic, callback, None, topic, None))
+        self._watch.wake()
+
+    def pass_on(self, stamped: Stamped) -> None:
+        """Publish a message that is written already, under this node's name.
+
+        Args:
+            stamped: its topic is resolved; whose it was and when it was received count for nothing.
+
+        Raises:
+            TransportError: this node publishes another type there.
+        """
+        self._mouths.pass_on(stamped)
+
+    def hearers(self, topic: str) -> FrozenSet[str]:
+        """Give the nodes that are connected to what this node publishes on a topic.
+
+        Args:
+            topic: resolved.
+        """
+        return self._mouths.hearers(topic)
 
     def publish(self, outgoing: AnyOutgoing, now: float) -> None:
         """Publish a message, or many; they are written only if somebody hears them.
@@ -329,12 +360,13 @@ class RosNode:
             raise self._failure
         return ended
 
-    def _begin(self) -> None:
+    def _begin(self, rosout: bool) -> None:
         ros = rospy()
         ros.on_shutdown(self._end)
         ros.core.add_shutdown_hook(lambda _reason: self._ended.set())
-        self.advertise(*ROSOUT, latched=True)
-        self._rosout.attach()
+        if rosout:
+            self.advertise(*ROSOUT, latched=True)
+            self._rosout.attach()
         watch_refusals(self._misfit)
         if self._clock.simulated:
             self._ears.add(

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import struct
 import threading
-from typing import Any, Dict, List, Sequence, Tuple
+from typing import Any, Dict, FrozenSet, List, Sequence, Tuple
 
 import numpy as np
 
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import AnyOutgoing, Codec, Connection, Outgoing, OutgoingRows
+from rqt_mrta_py.hooks import AnyOutgoing, Codec, Connection, Outgoing, OutgoingRows, Stamped
 from rqt_mrta_py.transport.batch import Batch, Run
 from rqt_mrta_py.transport.codec.definitions import parse_definition
 from rqt_mrta_py.transport.patterns import resolve_topic
@@ -51,6 +51,11 @@ class _Mouth:
     def is_heard(self) -> bool:
         """Whether a message would reach anybody, now or later."""
         return self.connection.latched or self._publisher.impl.has_connections()
+
+    @property
+    def hearers(self) -> FrozenSet[str]:
+        """The nodes that are connected to it."""
+        return frozenset(str(each.endpoint_id) for each in self._publisher.impl.connections)
 
     def latch(self) -> None:
         """Keep the last message for late subscribers from now on."""
@@ -96,6 +101,27 @@ class Mouths:
                 self._say_rows(outgoing)
             else:
                 self._say(outgoing)
+
+    def pass_on(self, stamped: Stamped) -> None:
+        """Publish a message that is written already.
+
+        Raises:
+            TransportError: this node publishes another type on its topic.
+        """
+        connection = stamped.connection
+        with self._lock:
+            key = (connection.topic, connection.type, connection.latched)
+            mouth = self._mouths.get(key)
+            if mouth is None:
+                mouth = self._mouths[key] = self._open(*key)
+            mouth.seq += 1
+            if mouth.is_heard:
+                mouth.say(stamped.raw)
+
+    def hearers(self, topic: str) -> FrozenSet[str]:
+        """Give the nodes that are connected to a resolved topic."""
+        mouth = self._by_topic.get(topic)
+        return frozenset() if mouth is None else mouth.hearers
 
     def mouth(self, topic: str, type_name: str, latched: bool) -> _Mouth:
         """Give the way onto a topic.
