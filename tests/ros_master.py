@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import socket
 import subprocess
+import xmlrpc.client
 from contextlib import contextmanager
-from typing import Dict, Iterator, Mapping
+from typing import Any, Dict, Iterator, Mapping, Optional
 
-__all__ = ["running_master", "say"]
+__all__ = ["MasterProcess", "running_master", "say"]
 
 _SCRIPT = """\
 import sys, rosmaster.master
@@ -17,6 +18,52 @@ print('ready', flush=True)
 sys.stdin.read()
 master.stop()
 """
+
+
+class MasterProcess:
+    """A master on a port that stays its own, to be killed and started again.
+
+    Attributes:
+        environment: points at it, whether it runs or not.
+
+    Args:
+        environment: for the master; ROS is installed.
+    """
+
+    def __init__(self, environment: Mapping[str, str]) -> None:
+        with socket.socket() as probe:
+            probe.bind(("127.0.0.1", 0))
+            self._port = probe.getsockname()[1]
+        uri = f"http://127.0.0.1:{self._port}"
+        self.environment = {**environment, "ROS_MASTER_URI": uri, "ROS_HOSTNAME": "127.0.0.1"}
+        self._process: Optional[subprocess.Popen[str]] = None
+
+    def start(self) -> None:
+        """Start it; it answers when this returns."""
+        command = ["/usr/bin/python3", "-c", _SCRIPT.format(port=self._port)]
+        self._process = process = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=self.environment
+        )
+        assert process.stdout is not None
+        assert process.stdout.readline().strip() == "ready"
+
+    def stop(self, kill: bool = False) -> None:
+        """End it, by a kill or as it ends by itself when the tests do."""
+        process, self._process = self._process, None
+        if process is None:
+            return
+        assert process.stdin is not None
+        assert process.stdout is not None
+        if kill:
+            process.kill()
+        process.stdin.close()
+        process.wait(timeout=20)
+        process.stdout.close()
+
+    def ask(self, method: str, *arguments: object) -> Any:
+        """Call a method of its API, as a node that is none; give the value."""
+        with xmlrpc.client.ServerProxy(self.environment["ROS_MASTER_URI"]) as proxy:
+            return getattr(proxy, method)("/test", *arguments)[2]  # type: ignore[index]
 
 
 @contextmanager
@@ -29,25 +76,12 @@ def running_master(environment: Mapping[str, str]) -> Iterator[Dict[str, str]]:
     Yields:
         An environment that points at it.
     """
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
-    pointed = {**environment, "ROS_MASTER_URI": f"http://127.0.0.1:{port}", "ROS_HOSTNAME": "127.0.0.1"}
-    with subprocess.Popen(
-        ["/usr/bin/python3", "-c", _SCRIPT.format(port=port)],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        text=True,
-        env=pointed,
-    ) as process:
-        assert process.stdin is not None
-        assert process.stdout is not None
-        try:
-            assert process.stdout.readline().strip() == "ready"
-            yield pointed
-        finally:
-            process.stdin.close()
-            process.wait(timeout=20)
+    master = MasterProcess(environment)
+    master.start()
+    try:
+        yield master.environment
+    finally:
+        master.stop()
 
 
 def say(*command: str, environment: Mapping[str, str], timeout: float = 60) -> str:
