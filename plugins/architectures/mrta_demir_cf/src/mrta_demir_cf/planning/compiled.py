@@ -9,7 +9,7 @@ from __future__ import annotations
 from importlib.util import find_spec
 from typing import Any, Callable, TypeVar, cast
 
-__all__ = ["has_compiler", "kernel"]
+__all__ = ["has_compiler", "inner_kernel", "kernel"]
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 
@@ -25,8 +25,22 @@ def kernel(function: _Function) -> _Function:
     Floating-point operations are neither reordered nor contracted: results are those of the plain function to the last
     bit. Modules with kernels import numba when they are imported, so they are to be imported when needed.
     """
+    return _compiled(function)
+
+
+def inner_kernel(function: _Function) -> _Function:
+    """Compile a function as ``kernel`` does, for other kernels only: that takes half as long.
+
+    Where numba is installed, Python cannot call it, but for its ``py_func``.
+    """
+    return _compiled(function, no_cpython_wrapper=True, no_cfunc_wrapper=True)
+
+
+def _compiled(function: _Function, **options: Any) -> _Function:
     if not has_compiler():
         return function
-    from numba import njit
+    import numba
 
-    return cast(_Function, njit(function))
+    # Without checks for divisions by zero, of which there are none, compilation is shorter.
+    njit: Callable[..., Any] = numba.njit
+    return cast(_Function, njit(error_model="numpy", **options)(function))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import List, Optional
+from typing import TYPE_CHECKING, List, Optional
 
 import numpy as np
 
@@ -11,8 +11,11 @@ from mrta_demir_cf.planning.compiled import has_compiler
 from mrta_demir_cf.planning.costs import CostFunction, FarthestAddition, eyh_cost
 from mrta_demir_cf.planning.mission import Mission
 from mrta_demir_cf.planning.missions import commit_until_arrival
+from mrta_demir_cf.planning.point_grid import grid_of
 from mrta_demir_cf.planning.pruning import PrunedSelection
-from mrta_demir_cf.planning.target_grid import grid_of
+
+if TYPE_CHECKING:
+    from mrta_demir_cf.planning.kernels.decisions import Field
 
 __all__ = ["event_driven"]
 
@@ -41,12 +44,47 @@ def event_driven(robots: Floats, targets: Floats, cost: CostFunction, *, compile
     possible = alpha is not None and has_compiler()
     if compiled and not possible:
         raise ValueError("compiled: is True; it needs numba (extra compiled) and costs by EYH or UEM")
-    if alpha is None or not (possible if compiled is None else compiled) or not len(targets) or not len(robots):
-        return commit_until_arrival(robots, targets, PrunedSelection(targets, cost))
-    from mrta_demir_cf.planning.kernels.arrivals import run_arrivals
+    if not len(targets) or not len(robots) or _too_far(robots, targets):
+        possible = False
+    if alpha is None or not possible or compiled is False:
+        selection = PrunedSelection(targets, cost)
+        return commit_until_arrival(robots, targets, selection, selection.who_may_own)
+    return _compiled(robots, targets, alpha)
 
-    visitors, visited, lengths, arrivals, decisions = run_arrivals(robots, targets, grid_of(targets), alpha)
+
+def _too_far(robots: Floats, targets: Floats) -> bool:
+    """Tell whether squares of distances may be infinite, of which kernels know nothing."""
+    return bool(max(np.abs(robots).max(), np.abs(targets).max()) > 1e150)
+
+
+def _compiled(robots: Floats, targets: Floats, alpha: float) -> Mission:
+    from mrta_demir_cf.planning.kernels.arrivals import progress_of, run_arrivals
+
+    field, progress = _field(robots, targets), progress_of(len(robots), len(targets))
+    decisions = run_arrivals(field, progress, alpha)
     routes: List[List[int]] = [[] for _ in robots]
-    for robot, target in zip(visitors.tolist(), visited.tolist()):
+    for robot, target in zip(progress.visitors.tolist(), progress.visited.tolist()):
         routes[robot].append(target)
-    return Mission(tuple(map(tuple, routes)), tuple(lengths.tolist()), float(np.max(arrivals)), decisions)
+    makespan = float(field.ways.arrivals.max())
+    return Mission(tuple(map(tuple, routes)), tuple(progress.lengths.tolist()), makespan, decisions)
+
+
+def _field(robots: Floats, targets: Floats) -> Field:
+    """Sort robots and targets, and make room for decisions."""
+    from mrta_demir_cf.planning.kernels.cells import outline_of
+    from mrta_demir_cf.planning.kernels.decisions import Field
+    from mrta_demir_cf.planning.kernels.queues import queues_of
+    from mrta_demir_cf.planning.kernels.ways import Ways
+
+    low, high = np.minimum(robots.min(axis=0), targets.min(axis=0)), np.maximum(robots.max(axis=0), targets.max(axis=0))
+    return Field(
+        Ways(robots.copy(order="C"), robots.copy(order="C"), np.zeros(len(robots)), np.zeros(len(robots))),
+        queues_of(robots),
+        grid_of(robots, low, high, crowd=1.0),
+        grid_of(targets, targets.min(axis=0), targets.max(axis=0), crowd=2.0),
+        np.ascontiguousarray(targets),
+        outline_of(len(robots)),
+        np.empty(len(targets), dtype=np.intp),
+        np.empty(len(targets), dtype=np.intp),
+        np.empty(len(targets)),
+    )

@@ -8,7 +8,7 @@ the rule at every turn and know nothing of how it works.
 from __future__ import annotations
 
 from heapq import heappop, heappush
-from typing import List, Sequence, Tuple
+from typing import Callable, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -17,6 +17,9 @@ from mrta_demir_cf.planning.mission import Mission
 from mrta_demir_cf.planning.selection import Rule
 
 __all__ = ["commit_until_arrival", "parallel", "retry_gap", "sequential"]
+
+Sieve = Callable[[List[int], Floats, Mask], List[int]]
+"""Who of some robots may find something: from their rows, (M, 2) robots [m] and the (N,) mask of open targets."""
 
 
 def sequential(robots: Floats, targets: Floats, rule: Rule) -> Mission:
@@ -93,7 +96,7 @@ def parallel(robots: Floats, targets: Floats, rule: Rule) -> Mission:
     return _mission(routes, lengths, now, decisions)
 
 
-def commit_until_arrival(robots: Floats, targets: Floats, rule: Rule) -> Mission:
+def commit_until_arrival(robots: Floats, targets: Floats, rule: Rule, sieve: Optional[Sieve] = None) -> Mission:
     """Let each robot decide when it has arrived, among the unclaimed targets of its cell, and keep to that.
 
     Other robots count where they are at that moment. A robot that finds nothing waits; those who wait try again, in
@@ -103,6 +106,7 @@ def commit_until_arrival(robots: Floats, targets: Floats, rule: Rule) -> Mission
         robots: (M, 2) start places [m].
         targets: (N, 2) [m].
         rule: how a robot selects.
+        sieve: tells at once for whom the rule will find nothing; those count as decided, but are not asked.
 
     Returns:
         The mission; robots that arrive together decide in their order.
@@ -117,23 +121,26 @@ def commit_until_arrival(robots: Floats, targets: Floats, rule: Rule) -> Mission
     lengths = np.zeros(len(starts))
     unclaimed = np.ones(len(targets), dtype=np.bool_)
     moving: List[Tuple[float, int]] = []
-    waiting = list(range(len(starts)))
+    waiting = np.ones(len(starts), dtype=np.bool_)
     decisions, since_retry, now = 0, 0, 0.0
     while unclaimed.any():
-        deciding = waiting
+        arrived, retry = [], not moving
         if moving:
             now, robot = heappop(moving)
             starts[robot] = goals[robot]
             departures[robot] = now
+            arrived = [robot]
             since_retry += 1
-            deciding = [robot]
             if since_retry > retry_gap(len(moving), len(starts)):
-                since_retry = 0
-                deciding += waiting
+                since_retry, retry = 0, True
+        deciding = arrived + (np.flatnonzero(waiting).tolist() if retry else [])
+        waiting[arrived] = True
+        decisions += len(deciding)
+        # Who sets out is still where it was: places hold for all who decide now.
+        places = _places_at(now, starts, goals, departures, arrivals)
         found = False
-        for robot in deciding:
-            target = rule(robot, _places_at(now, starts, goals, departures, arrivals), targets, unclaimed).chosen
-            decisions += 1
+        for robot in sieve(deciding, places, unclaimed) if sieve else deciding:
+            target = rule(robot, places, targets, unclaimed).chosen
             if target is None:
                 continue
             found = True
@@ -141,12 +148,10 @@ def commit_until_arrival(robots: Floats, targets: Floats, rule: Rule) -> Mission
             goals[robot], departures[robot], arrivals[robot] = targets[target], now, now + length
             lengths[robot] += length
             routes[robot].append(target)
-            unclaimed[target] = False
+            waiting[robot] = unclaimed[target] = False
             heappush(moving, (now + length, robot))
         if not moving and not found:
             raise _nobody_chooses(unclaimed)
-        under_way = {robot for _, robot in moving}
-        waiting = [robot for robot in range(len(starts)) if robot not in under_way]
     return _mission(routes, lengths, max(arrivals, default=0.0), decisions)
 
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 import numpy as np
 
 from mrta_demir_cf.planning.arrays import Floats
-from mrta_demir_cf.planning.compiled import kernel
 
 __all__ = ["SECTORS", "WIDER", "reach_in_sector", "sector_of"]
 
@@ -22,7 +21,6 @@ WIDER = 1.0 + 1e-9
 _SLOPE = float(np.sqrt(3.0))
 
 
-@kernel
 def sector_of(along_x: float, along_y: float) -> int:
     """Tell in which sector a direction lies, 0 to 5, against the clock from the x axis."""
     if along_y >= 0.0:
@@ -38,7 +36,6 @@ def sector_of(along_x: float, along_y: float) -> int:
     return 4
 
 
-@kernel
 def reach_in_sector(sector: int, place: Floats, low: Floats, high: Floats) -> float:
     """Give how far the part of a rectangle is that lies in a sector around a place [m].
 
