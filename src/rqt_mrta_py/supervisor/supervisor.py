@@ -137,6 +137,11 @@ class Supervisor:
         return bool(self._news)
 
     @property
+    def unreadable(self) -> int:
+        """How many topics, each with a type, brought what could not be read."""
+        return len(self._unreadable)
+
+    @property
     def robots(self) -> Sequence[str]:
         """Ids of the robots that are watched, in order; more may be admitted by first sight."""
         return tuple(self._team.robots) or tuple(robot.id for robot in self._mission.application.robots)

@@ -1,0 +1,469 @@
+"""A supervisor on a ROS 1 graph: hears the stream, says what is new at once, records, draws.
+
+Everything behind the stream is that of runs and reviews. Messages are taken in under the node's lock, in rospy's
+threads; time passes without messages by a thread that looks at the clock; what takes long is done elsewhere.
+"""
+
+from __future__ import annotations
+
+import logging
+import threading
+import time
+from concurrent.futures import Future
+from itertools import count
+from pathlib import Path
+from typing import Any, Callable, Dict, List, Mapping, Optional, Set, Tuple
+
+from rqt_mrta_py.app.compose import Host
+from rqt_mrta_py.app.interrupt import Interrupt
+from rqt_mrta_py.app.live.drawing import Drawing, PictureFormat
+from rqt_mrta_py.app.live.health import DIAGNOSTICS_TOPIC, Counts, Waits, diagnostics, memory_in_use
+from rqt_mrta_py.app.live.interest import Interest
+from rqt_mrta_py.app.live.options import LiveOptions
+from rqt_mrta_py.app.live.recording import Recording, free_bag
+from rqt_mrta_py.app.live.ring_buffer import RingBuffer
+from rqt_mrta_py.app.live.snapshots import Snapshots
+from rqt_mrta_py.app.live.stream_clock import StreamClock
+from rqt_mrta_py.app.mission_message import mission_message
+from rqt_mrta_py.app.observation import Observation
+from rqt_mrta_py.app.outputs.folder import OutputFolder
+from rqt_mrta_py.app.outputs.pictures import PICTURE_TOPIC
+from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch, write_results
+from rqt_mrta_py.errors import MrtaError, UsageError
+from rqt_mrta_py.hooks import Connection, MonitorView, Outgoing, Stamped
+from rqt_mrta_py.model import Mission, MissionRecord, Severity
+from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
+from rqt_mrta_py.transport.ros1.node import RosNode
+from rqt_mrta_py.transport.ros1.watch import MasterChange
+
+__all__ = ["LiveSupervisor"]
+
+_log = logging.getLogger("rqt_mrta_py.app")
+
+_NS = 1_000_000_000
+_TICK = 0.05
+"""How often what falls due without a message is looked for, on the wall [s]."""
+_STATE_PERIOD = 1.0
+"""How often team, markers and health are told, on the wall [s]."""
+_MOST_EARLY = 10_000
+"""How many messages wait for the first time of a simulated clock."""
+
+_PUBLISHED: Mapping[str, Tuple[str, bool]] = {
+    "/mrta/allocation": ("rqt_mrta_py/Allocation", False),
+    "/mrta/event": ("rqt_mrta_py/Event", False),
+    "/mrta/incident": ("rqt_mrta_py/Incident", True),
+    MARKERS_TOPIC: ("visualization_msgs/MarkerArray", False),
+    PICTURE_TOPIC: ("sensor_msgs/CompressedImage", False),
+    "/mrta/robot_state": ("rqt_mrta_py/RobotState", True),
+    "/mrta/task_state": ("rqt_mrta_py/TaskState", True),
+    "/mrta/team_state": ("rqt_mrta_py/TeamState", True),
+    DIAGNOSTICS_TOPIC: ("diagnostic_msgs/DiagnosticArray", False),
+}
+"""What a supervisor says besides /rosout: type by topic, and whether late subscribers get the last message."""
+
+
+class LiveSupervisor:
+    """Supervises one mission on a ROS 1 graph.
+
+    Attributes:
+        node: that hears and speaks.
+        observation: of the mission; None until ``begin``.
+        failure: what went wrong in the thread that looks at the clock; None if nothing did.
+
+    Args:
+        node: see above.
+        host: plugins, renderers.
+        options: how to supervise; who is supervised is told to ``begin``.
+        wrong_parameters: how many of the node's parameters were not used.
+    """
+
+    def __init__(self, node: RosNode, host: Host, options: LiveOptions, wrong_parameters: int = 0) -> None:
+        self.node = node
+        self.observation: Optional[Observation] = None
+        self.failure: Optional[Exception] = None
+        self._host = host
+        self._options = options
+        self._clock = StreamClock(node.now)
+        self._interest: Optional[Interest] = None
+        self._sinks: Tuple[Callable[[Stamped], None], ...] = ()
+        self._ring: Optional[RingBuffer] = None
+        if options.snapshot_seconds > 0 and options.snapshot_bytes > 0:
+            self._ring = RingBuffer(options.snapshot_seconds, options.snapshot_bytes)
+        self._snapshots = Snapshots(options.snapshots)
+        self._recording: Optional[Recording] = None
+        self._drawing = Drawing()
+        self._folder: Optional[OutputFolder] = None
+        self._stopwatch = Stopwatch()
+        self._early: List[Stamped] = []
+        self._connections: Dict[str, Tuple[Connection, Any]] = {}
+        self._open_incidents: Dict[object, Mapping[str, Any]] = {}
+        self._error: Optional[str] = None
+        self._robots: Set[str] = set()
+        self._topics: Set[str] = set()
+        self._heard = self._misfits = self._master_lost = self._undrawn = 0
+        self._wrong_parameters = wrong_parameters
+        self._waits, self._before, self._told_at = Waits(), Counts(), time.monotonic()
+        self._picture_due = 0
+        self._picture_failed = ""
+        self._closed = False
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="supervising", daemon=True)
+
+    @property
+    def mission(self) -> Mission:
+        """What is supervised.
+
+        Raises:
+            UsageError: nobody has said it yet.
+        """
+        return self._present.mission
+
+    def record(self) -> MissionRecord:
+        """Give everything known of the mission so far; under the node's lock.
+
+        Raises:
+            UsageError: nobody has said yet what the mission is.
+        """
+        return self._present.supervisor.record(self.now)
+
+    @property
+    def _present(self) -> Observation:
+        if self.observation is None:
+            raise UsageError("nobody has said yet what the mission is; it is waited for on /mrta/mission")
+        return self.observation
+
+    @property
+    def now(self) -> float:
+        """The present time of the stream [s]; under the node's lock."""
+        return self._clock.receipt() / _NS
+
+    @property
+    def recorded_path(self) -> Optional[Path]:
+        """The bag that is written; None if none is."""
+        return None if self._recording is None else self._recording.path
+
+    @property
+    def drawing(self) -> Drawing:
+        """Draws pictures."""
+        return self._drawing
+
+    @property
+    def incidents(self) -> List[Mapping[str, Any]]:
+        """The incidents that last, as fields of their messages, by start; under the node's lock."""
+        return sorted(self._open_incidents.values(), key=lambda fields: float(fields["start"]))
+
+    @property
+    def known_tasks(self) -> Tuple[str, ...]:
+        """Ids of all tasks that were listed or heard of; under the node's lock."""
+        listed = [task.id for task in (*self.mission.tasks, *self.mission.later_tasks)]
+        heard = [] if self.observation is None else [task.id for task in self.observation.supervisor.record().tasks]
+        return tuple(dict.fromkeys((*listed, *heard)))
+
+    @property
+    def known_robots(self) -> Tuple[str, ...]:
+        """Ids of all robots that were listed or heard of; under the node's lock."""
+        return () if self.observation is None else tuple(self.observation.supervisor.robots)
+
+    def open(self) -> None:
+        """Tell the graph what will be published, and let time pass."""
+        for topic, (type_name, latched) in _PUBLISHED.items():
+            self.node.advertise(topic, type_name, latched)
+        self.node.on_time_jump(self._jumped)
+        self.node.on_misfit(self._misfit)
+        self.node.on_master(self._master_changed)
+        self.node.on_shutdown(self._end_stream)
+        self._thread.start()
+
+    def begin(
+        self, mission: Mission, duration: Optional[float], *, announce: bool = False, first: Optional[Stamped] = None
+    ) -> None:
+        """Supervise a mission from now on; to be called once, without the node's lock.
+
+        Args:
+            mission: as far as it is known.
+            duration: planned [s]; None if unknown.
+            announce: whether to tell everybody what the mission is, for nobody else does.
+            first: the message that told it, unless it will be heard again.
+
+        Raises:
+            MrtaError: bag or folder cannot be made, or a plugin fails.
+        """
+        options = self._options
+        observation = Observation(mission, self.node.codec, self._host.manager, duration)
+        name = mission.application.package or mission.architecture.package
+        if options.out is not None:
+            self._folder = OutputFolder.create(_free_folder(options.out), name, force=False)
+        if options.record is not None:
+            self._recording = Recording(free_bag(options.record, name))
+            _log.info("recording=%s", self._recording.path)
+        if options.pictures > 0:
+            self._drawing.start()
+        with self.node.lock:
+            self.observation = observation
+            self._interest = Interest(observation.wishes, options.topics)
+            self._robots = set(observation.supervisor.robots)
+            ring = () if self._ring is None else (self._ring.append,)
+            recording = () if self._recording is None else (self._recording.take,)
+            self._sinks = (*ring, *recording, observation.feed)
+            if announce:
+                self._say(mission_message(mission, self.now, duration or 0.0))
+            if first is not None:
+                self._take(first._replace(receipt_ns=self._clock.receipt()))
+        self.node.hear(self._wanted, self._hear, receipts=self._clock.receipt)
+
+    def say(self, outgoing: Outgoing) -> None:
+        """Publish a message and take it in like one that was heard; under the node's lock."""
+        self._say(outgoing)
+        self._tell_news()
+
+    def last_messages(self, seconds: float) -> List[Stamped]:
+        """Give what was heard in the last seconds; under the node's lock.
+
+        Args:
+            seconds: how far back; 0: all that is kept [s].
+
+        Raises:
+            UsageError: nothing is kept.
+        """
+        if self._ring is None:
+            raise UsageError("nothing is kept for snapshots; set ~snapshot_seconds above 0")
+        return self._ring.last(seconds or None)
+
+    def view(self) -> MonitorView:
+        """Give what a picture of this moment shows; under the node's lock.
+
+        Raises:
+            UsageError: nobody has said yet what the mission is.
+        """
+        return self._present.view(self.now)
+
+    def finish(self) -> Optional[MissionResult]:
+        """End the stream, complete the bag, write the outputs; to be called once, without the node's lock.
+
+        Returns:
+            What is known of the mission; None if no outputs were asked for, or nothing began.
+        """
+        self._end_stream()
+        if self._thread.is_alive():
+            self._thread.join()
+        self._drawing.close()
+        self._snapshots.close()
+        if self._recording is not None and self._recording.close() is not None:
+            _log.info("recording=%s messages=%d", self._recording.path, self._recording.messages)
+        if self._folder is None or self.observation is None:
+            return None
+        dashboard = self._host.renderer("dashboard") if self._options.pictures > 0 else None
+        results = write_results(self._folder, self.observation, dashboard)
+        return self._stopwatch.result(self._folder, results, Interrupt())
+
+    def _wanted(self, topic: str, type_name: str) -> bool:
+        wanted = self._interest is not None and self._interest.wants(topic, type_name, self._robots)
+        (self._topics.add if wanted else self._topics.discard)(topic)
+        return wanted
+
+    def _hear(self, stamped: Stamped) -> None:
+        if stamped.connection.caller == self.node.name or self._closed:
+            # What this node says itself is taken in where it is said.
+            return
+        self._take(stamped)
+        self._tell_news()
+
+    def _take(self, stamped: Stamped) -> None:
+        if not stamped.receipt_ns:
+            # A simulated clock that has not begun to run tells no time.
+            if len(self._early) < _MOST_EARLY:
+                self._early.append(stamped)
+            return
+        if self._early:
+            early, self._early = self._early, []
+            for each in early:
+                self._take(each._replace(receipt_ns=stamped.receipt_ns))
+        self._heard += 1
+        for sink in self._sinks:
+            sink(stamped)
+
+    def _tell_news(self) -> None:
+        """Say what is new. What becomes new by that is said the next time, so that this ends."""
+        observation = self.observation
+        if observation is None:
+            return
+        observation.supervisor.settle()
+        if not observation.supervisor.has_news:
+            return
+        for message in observation.news():
+            self._say(message)
+        if self._error is not None:
+            error, self._error = self._error, None
+            if self._ring is not None and self._snapshots.due(self.now):
+                self._snapshots.write(self._ring.last(), f"{error}-{self.now:.3f}")
+
+    def _say(self, outgoing: Outgoing) -> None:
+        """Publish, and take in what was published as it stands in a bag."""
+        latched = outgoing.latched or _PUBLISHED.get(outgoing.topic, ("", False))[1]
+        receipt = self._clock.receipt()
+        known = self._connections.get(outgoing.topic)
+        if known is None:
+            connection = self.node.codec.connection(outgoing.topic, outgoing.type, self.node.name, latched)
+            known = self._connections[outgoing.topic] = (connection, count(1))
+        connection, numbers = known
+        fields = outgoing.fields
+        if "header" in fields:
+            fields = {**fields, "header": {**fields["header"], "seq": next(numbers)}}
+        try:
+            stamped = Stamped(connection, receipt, self.node.codec.encode(outgoing.type, fields))
+            self.node.pass_on(stamped)
+        except MrtaError as error:
+            _log.error("topic=%s a message cannot be published: %s", outgoing.topic, error)
+            return
+        if outgoing.topic == "/mrta/incident":
+            self._note_incident(fields)
+        self._take(stamped)
+
+    def _note_incident(self, fields: Mapping[str, Any]) -> None:
+        key = (fields["rule"], fields["start"], tuple(fields["robots"]), tuple(fields["tasks"]))
+        if fields["end"]:
+            self._open_incidents.pop(key, None)
+            return
+        self._open_incidents[key] = fields
+        _log.warning("incident=%s robots=%s tasks=%s %s", *key[:1], *key[2:], fields["text"])
+        if fields["severity"] == Severity.ERROR.rank:
+            self._error = str(fields["rule"])
+
+    def _run(self) -> None:
+        due = time.monotonic()
+        while not self._ended.wait(_TICK):
+            try:
+                began = time.monotonic()
+                with self.node.lock:
+                    if self._closed:
+                        return
+                    self._waits.times.append(time.monotonic() - began)
+                    due = self._tick(began, due)
+                    fresh = self.observation is not None and len(self.known_robots) != len(self._robots)
+                    if fresh:
+                        self._robots = set(self.known_robots)
+                if fresh:
+                    self.node.ask_again()
+            except Exception as error:  # noqa: BLE001 - as in a callback: it ends the node, and is told by it
+                self.failure = error
+                self.node.shut_down(f"supervision failed: {error}")
+                return
+
+    def _tick(self, wall: float, due: float) -> float:
+        """Let happen what fell due, and say what is said again and again; give when that is due next."""
+        receipt, observation = self._clock.receipt(), self.observation
+        now = receipt / _NS
+        if observation is not None and receipt:
+            observation.supervisor.let_pass(now)
+            self._tell_news()
+            if self._options.pictures > 0 and receipt >= self._picture_due:
+                self._begin_picture(observation, receipt)
+        if wall < due:
+            return due
+        if observation is not None and receipt:
+            self._tell_team(observation, now)
+        counts, waits = self._counts(), self._waits.take()
+        told = diagnostics(
+            self.node.name, self.node.now(), counts, self._before, seconds=wall - self._told_at, waits=waits
+        )
+        self.node.publish(told, now)
+        self._before, self._told_at = counts, wall
+        return max(due + _STATE_PERIOD, wall)
+
+    def _tell_team(self, observation: Observation, now: float) -> None:
+        view = observation.view_without_panels(now)
+        self._say(observation.team_state(view))
+        if self._recording is not None or self.node.is_heard(MARKERS_TOPIC, *_PUBLISHED[MARKERS_TOPIC]):
+            self._say(team_markers(view, now))
+
+    def _begin_picture(self, observation: Observation, receipt: int) -> None:
+        period = round(self._options.pictures * _NS)
+        self._picture_due = max(self._picture_due + period, receipt - receipt % period + period)
+        if self._drawing.busy:
+            self._undrawn += 1
+            return
+        view = observation.view(receipt / _NS)
+        self._drawing.draw(view, PictureFormat.JPEG).add_done_callback(lambda done: self._publish_picture(view, done))
+
+    def _publish_picture(self, view: MonitorView, done: Future[bytes]) -> None:
+        error = done.exception()
+        with self.node.lock:
+            if self._closed:
+                return
+            if error is not None:
+                self._undrawn += 1
+                if str(error) != self._picture_failed:
+                    self._picture_failed = str(error)
+                    _log.error("picture=%.3f was not drawn: %s", view.now, error)
+                return
+            fields = {"header": {"stamp": view.now, "frame_id": "map"}, "format": "jpeg", "data": done.result()}
+            self._say(Outgoing(PICTURE_TOPIC, _PUBLISHED[PICTURE_TOPIC][0], fields))
+
+    def _counts(self) -> Counts:
+        recording, ring, observation = self._recording, self._ring, self.observation
+        drawn = self._options.pictures > 0 and observation is not None
+        return Counts(
+            heard=self._heard,
+            topics=len(self._topics),
+            unreadable=0 if observation is None else observation.supervisor.unreadable,
+            misfits=self._misfits,
+            wrong_parameters=self._wrong_parameters,
+            jumps=self._clock.jumps,
+            master_lost=self._master_lost,
+            mission="" if observation is None else _named(observation.mission),
+            recorded=None if recording is None else recording.messages,
+            backlog=0 if recording is None else recording.backlog,
+            unrecorded=0 if recording is None else recording.dropped,
+            recording="" if recording is None else str(recording.path),
+            failure="" if recording is None else recording.failure,
+            drawn=self._drawing.drawn if drawn else None,
+            undrawn=self._undrawn,
+            picture_seconds=self._drawing.seconds,
+            kept=0 if ring is None else len(ring),
+            kept_bytes=0 if ring is None else ring.size,
+            kept_dropped=0 if ring is None else ring.dropped,
+            memory=memory_in_use(),
+        )
+
+    def _end_stream(self) -> None:
+        """Say how things stand at the end, and take in nothing more."""
+        self._ended.set()
+        with self.node.lock:
+            if self._closed:
+                return
+            observation, receipt = self.observation, self._clock.receipt()
+            if observation is not None and receipt and self.failure is None:
+                observation.supervisor.let_pass(receipt / _NS)
+                self._tell_news()
+                # The last message: what has passed until now has passed in the bag too.
+                self._say(observation.team_state(observation.view_without_panels(receipt / _NS)))
+            self._closed = True
+
+    def _jumped(self, before: float, after: float) -> None:
+        self._clock.jump(after)
+        _log.warning(
+            "time went back from %.3f s to %.3f s; receipts go on from %.3f s",
+            before,
+            after,
+            self._clock.newest / _NS,
+        )
+
+    def _misfit(self, _misfit: object) -> None:
+        self._misfits += 1
+
+    def _master_changed(self, change: MasterChange) -> None:
+        self._master_lost += change is MasterChange.LOST
+
+
+def _named(mission: Mission) -> str:
+    return mission.application.package or mission.architecture.package
+
+
+def _free_folder(folder: Path) -> Path:
+    """Choose the folder asked for, or else the first of ``<name>-2``, ``<name>-3``, ... that holds nothing."""
+    chosen = folder = folder.absolute()
+    number = 1
+    while chosen.exists() and not (chosen.is_dir() and not any(chosen.iterdir())):
+        number += 1
+        chosen = folder.with_name(f"{folder.name}-{number}")
+    return chosen

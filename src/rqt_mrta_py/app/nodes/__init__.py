@@ -1,0 +1,6 @@
+"""Nodes of a ROS 1 graph, one to a file; ``rosrun rqt_mrta_py NAME`` calls the ``main`` of each.
+
+* ``supervisor``: watches a team and records it
+* ``recorder``: records topics as they are
+* ``frame``: what all nodes share, from arguments to exit status
+"""
