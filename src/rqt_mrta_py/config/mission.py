@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Collection, List, Optional, Sequence, Tuple
+from typing import Collection, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.config.discovery.registration import RegistrationKind, Registry
 from rqt_mrta_py.config.discovery.source import find_source
 from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.config.fitting import misfit_problems
 from rqt_mrta_py.config.loading import attempt, load_team, scenario_of, tasks_of
+from rqt_mrta_py.config.parameters.layers import Layer
 from rqt_mrta_py.config.parameters.parameter_file import parse_parameters
 from rqt_mrta_py.config.parameters.task_layers import layered_tasks
 from rqt_mrta_py.config.parameters.team import ParameterChecks, resolve_team
@@ -29,6 +30,7 @@ def load_mission(
     *,
     seed: Optional[int] = 0,
     overrides: Sequence[str] = (),
+    served: Optional[Mapping[str, Layer]] = None,
     checks: Optional[ParameterChecks] = None,
     must_fit: bool = True,
     kinds: Optional[Collection[str]] = None,
@@ -41,6 +43,7 @@ def load_mission(
         architecture: likewise; None: the one that the application names.
         seed: of the run; None if there is none.
         overrides: parameters, each ``<robot>/<path>=<value>``.
+        served: parameters by robot that cover those of files, and are covered by overrides.
         checks: asks plugins about the parameters; None: they are not asked.
         must_fit: refuse tasks that the architecture does not solve; what has been run already need not fit.
         kinds: of behaviours that there are, to know layers by that a config of the whole team lists for tasks; None:
@@ -58,7 +61,7 @@ def load_mission(
         problems.extend(
             misfit_problems(team.architecture, team.tasks, loaded.texts.tasks_yaml, str(loaded.tasks_file or ""))
         )
-    resolved = attempt(problems, lambda: resolve_team(team, overrides, checks))
+    resolved = attempt(problems, lambda: resolve_team(team, overrides, checks, served=served))
     tasks = team.tasks if kinds is None else attempt(problems, lambda: layered_tasks(team, kinds))
     if resolved is None or tasks is None or problems:
         raise ConfigError(problems)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import random
 from collections import deque
-from typing import Deque, Dict, Iterator, List, Tuple
+from functools import partial
+from typing import Deque, Dict, Iterator, List, Sequence, Tuple
 
 from rqt_mrta_py.app.live.agent_side import AgentSide
 from rqt_mrta_py.app.live.hold_back import SIMULATION, HoldBack, agent_node
@@ -16,7 +17,7 @@ from rqt_mrta_py.hooks import Codec, Stamped
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Mission
 from rqt_mrta_py.sim import PerfectLink
-from rqt_mrta_py.transport import Bus
+from rqt_mrta_py.transport import Batch, Bus, Node
 from rqt_mrta_py.transport.patterns import TopicPattern, resolve_topic
 
 WATCHER = "/supervisor"
@@ -43,16 +44,16 @@ class ScatteredTeam:
                 codec=codec,
                 clock=self._world.clock,
                 team=robots,
-                resolve=lambda topic, name=agent_node(robot): resolve_topic(topic, name),
+                resolve=partial(_resolved, node=agent_node(robot)),
             )
             for robot in robots
         }
         # Each process has a bus of its own, which counts and writes what the robot says.
-        self._mouths = {}
+        self._mouths: Dict[str, Tuple[Bus, Node]] = {}
         for name, agent in self._agents.items():
             bus = Bus(codec, PerfectLink())
             self._mouths[name] = (bus, bus.node(name, robot=agent.robot))
-            bus.tap(lambda batch: self._spoken.extend(batch))
+            bus.tap(self._hear_own)
         self._spoken: List[Stamped] = []
         self._ears = {
             **{name: [TopicPattern(topic) for topic in agent.topics] for name, agent in self._agents.items()},
@@ -107,7 +108,10 @@ class ScatteredTeam:
         self._send(said)
         return TickDone(news.tick, self._agents[name].robot, tuple(each.connection.topic for each in said))
 
-    def _send(self, said: List[Stamped]) -> None:
+    def _hear_own(self, batch: Batch) -> None:
+        self._spoken.extend(batch)
+
+    def _send(self, said: Sequence[Stamped]) -> None:
         for stamped in said:
             topic, caller = stamped.connection.topic, stamped.connection.caller
             spoken_by = caller if caller in self._agents else SIMULATION
@@ -129,3 +133,7 @@ class ScatteredTeam:
             self._watcher.put(stamped)
         else:
             self._agents[hearer].hear(stamped)
+
+
+def _resolved(topic: str, node: str) -> str:
+    return resolve_topic(topic, node)

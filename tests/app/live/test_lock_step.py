@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import List, Sequence, Tuple
+from typing import Dict, List, Sequence, Tuple
 
 import pytest
 
@@ -14,7 +14,7 @@ from rqt_mrta_py.hooks import Stamped
 from rqt_mrta_py.model import Mission, ScenarioEvent, ScenarioEventKind
 from tests.app.live.scattered_team import ScatteredTeam
 
-EVENTS: Sequence[Tuple[float, ScenarioEventKind, str, str, object]] = (
+EVENTS: Sequence[Tuple[float, ScenarioEventKind, str, str, Dict[str, float]]] = (
     (0.5, ScenarioEventKind.ROBOT_STOPS, "robot2", "", {}),
     (0.8, ScenarioEventKind.ROBOT_CLOCK_SHIFTS, "robot1", "", {"offset": 2.0}),
     (1.2, ScenarioEventKind.TASK_WITHDRAWN, "", "wander", {}),

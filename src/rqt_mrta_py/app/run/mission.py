@@ -16,14 +16,12 @@ from rqt_mrta_py.app.outputs.picture_files import PictureFiles, check_film, open
 from rqt_mrta_py.app.outputs.pictures import PictureSchedule, period_in_ticks
 from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch
 from rqt_mrta_py.app.processes import cores
+from rqt_mrta_py.app.run.choice import MissionChoice, chosen_mission
 from rqt_mrta_py.app.run.collector import rare_collections
 from rqt_mrta_py.app.run.embedded import EmbeddedRun
 from rqt_mrta_py.app.run.watch import WatchPlan
 from rqt_mrta_py.app.run.watch_process import open_watcher
-from rqt_mrta_py.app.selection import first_robots, in_world, with_map
-from rqt_mrta_py.config.mission import load_mission
-from rqt_mrta_py.errors import UsageError
-from rqt_mrta_py.model import MapKnowledge, Mission, ScenarioSpec
+from rqt_mrta_py.model import MapKnowledge
 
 __all__ = ["RunRequest", "run_mission"]
 
@@ -66,6 +64,13 @@ class RunRequest:
     figures: Tuple[str, ...] = ()
     processes: Optional[int] = None
 
+    @property
+    def choice(self) -> MissionChoice:
+        """Which mission is asked for."""
+        return MissionChoice(
+            self.application, self.architecture, self.seed, self.robots, self.world, self.map, self.overrides
+        )
+
 
 def run_mission(host: Host, request: RunRequest, progress: Callable[[float, float], None]) -> MissionResult:
     """Run a mission and write its outputs.
@@ -82,7 +87,7 @@ def run_mission(host: Host, request: RunRequest, progress: Callable[[float, floa
         MrtaError: of whatever is wrong. What is wrong with the input is told before anything is written.
     """
     stopwatch = Stopwatch()
-    mission, scenario = _mission(host, request)
+    mission, scenario = chosen_mission(host, request.choice)
     duration = scenario.duration if request.duration is None else request.duration
     period = scenario.picture_period if request.pictures is None else request.pictures
     check_film(request.video, period)
@@ -131,23 +136,3 @@ def _pictures(host: Host, folder: OutputFolder, period: float, rate: int, video:
         return None
     files = PictureFiles(path, open_film(folder, video))
     return PictureSchedule(host.renderer("monitor"), period_ticks, rate, files)
-
-
-def _mission(host: Host, request: RunRequest) -> Tuple[Mission, ScenarioSpec]:
-    mission = load_mission(
-        host.registry,
-        request.application,
-        architecture=request.architecture,
-        seed=request.seed,
-        overrides=request.overrides,
-        checks=host.manager,
-        kinds=host.manager.registered("mrta_register_behaviours"),
-    )
-    worlds = host.manager.registered("mrta_register_worlds")
-    mission = with_map(in_world(first_robots(mission, request.robots), request.world, worlds), request.map)
-    if mission.scenario is None:
-        raise UsageError(
-            f"{mission.application.package}: has no scenario, so there is nothing to simulate; "
-            'name one in its package.xml: <rqt_mrta_py scenario="${prefix}/scenario.yaml"/>'
-        )
-    return mission, mission.scenario

@@ -11,7 +11,16 @@ from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import ArrayTemplate, MapTemplate, ParameterTemplate, TemplateItem, normalise_id
 from rqt_mrta_py.wording import accepted, shown
 
-__all__ = ["COMMAND_LINE", "Given", "GivenValues", "Layer", "split_overrides", "xml_layer", "yaml_layer"]
+__all__ = [
+    "COMMAND_LINE",
+    "Given",
+    "GivenValues",
+    "Layer",
+    "split_overrides",
+    "value_layer",
+    "xml_layer",
+    "yaml_layer",
+]
 
 COMMAND_LINE = "--set"
 """What problems name in the place of a file for values from the command line."""
@@ -104,6 +113,16 @@ def yaml_layer(text: Union[str, bytes], source: str) -> Layer:
     return dict(_walk_node(node, (), source))
 
 
+def value_layer(values: Mapping[str, Any], source: str) -> Layer:
+    """Collect what nested values give, as a parameter server holds them.
+
+    Args:
+        values: nested as the parameters are.
+        source: by which problems name them.
+    """
+    return dict(_walk_values(values, (), source))
+
+
 def split_overrides(overrides: Sequence[str], robots: Sequence[str]) -> Tuple[Dict[str, Layer], Tuple[Problem, ...]]:
     """Sort the values of the command line by robot.
 
@@ -128,6 +147,14 @@ def split_overrides(overrides: Sequence[str], robots: Sequence[str]) -> Tuple[Di
         else:
             layers.setdefault(path[0], {})[path[1:]] = Given(value.strip(), True, COMMAND_LINE, 0)
     return layers, tuple(problems)
+
+
+def _walk_values(values: Mapping[str, Any], path: Path, source: str) -> Iterator[Tuple[Path, Given]]:
+    for name, value in values.items():
+        if isinstance(value, Mapping):
+            yield from _walk_values(value, (*path, name), source)
+        else:
+            yield (*path, name), Given(value, False, source, 0)
 
 
 def _walk_items(items: Iterable[TemplateItem], path: Path, source: str) -> Iterator[Tuple[Path, Given]]:

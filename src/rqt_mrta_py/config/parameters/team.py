@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Protocol, Sequence, Tuple
+from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Protocol, Sequence, Tuple
 
 from rqt_mrta_py.config.files import read_if_there
 from rqt_mrta_py.config.gaps import Gaps
@@ -99,18 +99,21 @@ def resolve_team(
     overrides: Sequence[str] = (),
     checks: Optional[ParameterChecks] = None,
     read: FileReader = read_if_there,
+    served: Optional[Mapping[str, Layer]] = None,
 ) -> Dict[str, ResolvedParameters]:
     """Resolve the parameters of every robot.
 
     Later sources cover earlier ones: the template's defaults; under the application's own architecture the configs
     of its rqt_mrta.xml, for all robots (``<config_id>``) and for one (``<robot>_<config_id>``); the YAML files of
-    these names in ``config``, under another architecture in ``config/<architecture>``; the command line.
+    these names in ``config``, under another architecture in ``config/<architecture>``; what is served; the command
+    line.
 
     Args:
         team: whose.
         overrides: each ``<robot>/<path>=<value>``.
         checks: asks plugins about what was resolved; None: they are not asked.
         read: gives the YAML files.
+        served: by robot, from elsewhere than files: a parameter server.
 
     Returns:
         Parameters by robot, in the application's order.
@@ -128,7 +131,8 @@ def resolve_team(
         try:
             shared = file_name(team.template.id)
             names = (shared, config_name(robot.id, shared)) if shared else ()
-            layers = [*_file_layers(team, names, read), given.get(robot.id, {})]
+            elsewhere = (served or {}).get(robot.id, {})
+            layers = [*_file_layers(team, names, read), elsewhere, given.get(robot.id, {})]
             context = _context(team, robot, names)
             resolved[robot.id] = resolve_parameters(team.template, layers, context)
         except ConfigError as error:
