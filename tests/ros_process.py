@@ -102,6 +102,12 @@ class PythonProcess:
         """Wait for the process to end by itself; give its exit code."""
         return self._process.wait(timeout)
 
+    def leave(self, timeout: float = 10.0) -> int:
+        """Let the process reach the end of its program; give its exit code."""
+        assert self._process.stdin is not None
+        self._process.stdin.close()
+        return self._process.wait(timeout)
+
     def close(self) -> None:
         """End the process."""
         assert self._process.stdin is not None

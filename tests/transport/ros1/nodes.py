@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Optional
 
-from tests.transport.support import lookup
-
 __all__ = ["OURS", "STRANGER", "texts"]
 
 _TEXTS = {
@@ -58,5 +56,5 @@ STRING = make("std_msgs/String", "string data")
 
 
 def texts(type_name: str) -> Optional[str]:
-    """Find the text of a type of this repository, or of these tests."""
-    return _TEXTS.get(type_name) or lookup(type_name)
+    """Find the text of a type of these tests."""
+    return _TEXTS.get(type_name)

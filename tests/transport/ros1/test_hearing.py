@@ -6,6 +6,7 @@ import pytest
 
 from tests.ros_master import MasterProcess
 from tests.ros_process import PythonProcess, wait_for
+from tests.transport.ros1.nodes import OURS
 
 pytestmark = pytest.mark.ros
 
@@ -214,8 +215,6 @@ def test_publishers_that_disagree_about_a_topic_are_reported(node: PythonProcess
 
 
 def test_what_a_callback_raises_ends_the_node(master: MasterProcess, stranger: PythonProcess) -> None:
-    from tests.transport.ros1.nodes import OURS
-
     publish(stranger, "/poison", latch=True)
     stranger.do("pub.publish('x')")
     with PythonProcess(master.environment) as fragile:
