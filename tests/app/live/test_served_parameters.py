@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rqt_mrta_py.app.live.served_parameters import ParameterPlaces
+from rqt_mrta_py.app.live.served_parameters import ParameterPlaces, served_layers
 from rqt_mrta_py.app.loading.registry import registry_only
 from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.errors import ConfigError
@@ -27,7 +27,7 @@ def test_parameters_stand_where_the_launch_file_of_the_architecture_loads_them(
 
 def test_served_parameters_cover_those_of_files_and_not_those_of_the_command_line() -> None:
     registry = registry_only()
-    served = ParameterPlaces(registry, "mrta_alliance").layers(
+    served = served_layers(
         {"robot1": "/robot1/alliance", "robot2": "/robot2/alliance"},
         lambda namespace: {"spin_rate": 20.0, "timeout_duration": 7.0} if namespace == "/robot1/alliance" else {},
     )
@@ -40,9 +40,7 @@ def test_served_parameters_cover_those_of_files_and_not_those_of_the_command_lin
 
 def test_a_served_parameter_of_a_wrong_type_is_refused_in_one_line() -> None:
     registry = registry_only()
-    served = ParameterPlaces(registry, "mrta_alliance").layers(
-        {"robot1": "/robot1/alliance"}, lambda _namespace: {"spin_rate": "fast"}
-    )
+    served = served_layers({"robot1": "/robot1/alliance"}, lambda _namespace: {"spin_rate": "fast"})
     with pytest.raises(ConfigError) as error:
         load_mission(registry, "border_patrol", served=served)
     assert (

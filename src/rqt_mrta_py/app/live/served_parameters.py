@@ -14,7 +14,7 @@ from rqt_mrta_py.config.xml.text import parse_xml
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.model import ArchitectureSpec
 
-__all__ = ["ParameterPlaces"]
+__all__ = ["ParameterPlaces", "served_layers"]
 
 _ROBOT = "$(arg robot_id)"
 _SUFFIX = "_params"
@@ -47,22 +47,23 @@ class ParameterPlaces:
         """Give the namespace of a robot's parameters; empty where the architecture has none."""
         return f"/{self._pattern.replace(_ROBOT, robot).strip('/')}" if self._pattern else ""
 
-    def layers(self, robots: Mapping[str, str], get: Callable[[str], Mapping[str, Any]]) -> Dict[str, Layer]:
-        """Ask for the parameters of robots.
 
-        Args:
-            robots: for whom, by id, with the namespace to look into; an empty one is not looked into.
-            get: gives all parameters of a namespace, nested.
+def served_layers(robots: Mapping[str, str], get: Callable[[str], Mapping[str, Any]]) -> Dict[str, Layer]:
+    """Ask for the parameters of robots.
 
-        Returns:
-            What there is, by robot.
-        """
-        found: Dict[str, Layer] = {}
-        for robot, namespace in robots.items():
-            values = get(namespace) if namespace else {}
-            if values:
-                found[robot] = value_layer(values, f"parameter server {namespace}")
-        return found
+    Args:
+        robots: for whom, by id, with the namespace to look into; an empty one is not looked into.
+        get: gives all parameters of a namespace, nested.
+
+    Returns:
+        What there is, by robot.
+    """
+    found: Dict[str, Layer] = {}
+    for robot, namespace in robots.items():
+        values = get(namespace) if namespace else {}
+        if values:
+            found[robot] = value_layer(values, f"parameter server {namespace}")
+    return found
 
 
 def _loaded_into(spec: ArchitectureSpec, source: Source) -> Optional[str]:

@@ -12,7 +12,7 @@ from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence
 from rqt_mrta_py.app.cli.logs import start_logging
 from rqt_mrta_py.app.compose import Host, compose
 from rqt_mrta_py.errors import MrtaError
-from rqt_mrta_py.transport.ros1.node import RosNode
+from rqt_mrta_py.transport.ros1 import RosNode
 
 __all__ = ["Ending", "node_main"]
 
@@ -67,8 +67,8 @@ class Ending:
             for number, handler in before.items():
                 signal.signal(number, handler)
 
-        for number in (signal.SIGINT, signal.SIGTERM):
-            before[number] = signal.signal(number, note)
+        for asked in (signal.SIGINT, signal.SIGTERM):
+            before[asked] = signal.signal(asked, note)
         try:
             yield
         finally:
@@ -77,7 +77,11 @@ class Ending:
 
 
 def node_main(
-    name: str, work: Callable[[RosNode, Host, Ending], None], argv: Optional[Sequence[str]] = None, **how: Any
+    name: str,
+    work: Callable[[RosNode, Host, Ending], None],
+    argv: Optional[Sequence[str]] = None,
+    host: Optional[Host] = None,
+    **how: Any,
 ) -> int:
     """Run a node until it ends.
 
@@ -85,6 +89,7 @@ def node_main(
         name: of the node, unless its arguments say another.
         work: of the node; returns when it is done or its ending says so.
         argv: arguments without the program's name; None for the process's own.
+        host: registry and plugins; None: they are looked for.
         how: further arguments of ``RosNode.start``.
 
     Returns:
@@ -95,9 +100,10 @@ def node_main(
     logging.getLogger("rqt_mrta_py").setLevel(logging.INFO)
     node: Optional[RosNode] = None
     try:
-        host = compose(forgiving=True)
-        for problem in host.problems:
-            _log.warning("%s", problem)
+        if host is None:
+            host = compose(forgiving=True)
+            for problem in host.problems:
+                _log.warning("%s", problem)
         node = RosNode.start(name, host.codec(), arguments=arguments, **how)
         ending = Ending(node)
         with ending.heeding_signals():

@@ -1,0 +1,182 @@
+"""A robot's agent on a node of ROS: hears, takes its turns, says what there is to say."""
+
+from __future__ import annotations
+
+import itertools
+import logging
+import math
+import threading
+import time
+from typing import Callable, Dict, Iterable, List, Optional, Sequence
+
+from rqt_mrta_py.app.live.agent_side import AgentSide
+from rqt_mrta_py.app.live.hold_back import agent_node
+from rqt_mrta_py.app.live.tick_messages import DONE_TOPIC, DONE_TYPE, TICK_TOPIC, TickDone, TickNews
+from rqt_mrta_py.app.live.ways import Ways
+from rqt_mrta_py.errors import UsageError
+from rqt_mrta_py.hooks import AnyOutgoing, OutgoingRows, Stamped
+from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN
+from rqt_mrta_py.transport.patterns import TopicPattern
+from rqt_mrta_py.transport.ros1 import RosNode
+
+__all__ = ["AgentLoop"]
+
+_log = logging.getLogger("rqt_mrta_py.app")
+
+_LOOK = 0.1
+"""How often a wait looks whether the node shall end [s]."""
+_PATIENCE = 3.0
+"""How long what a manifest names may take to arrive in lock step [s]."""
+_MOST_TOPICS = 256
+"""How many topics a pattern may stand for that are subscribed to before anybody publishes them."""
+
+
+class AgentLoop:
+    """Takes a robot's turns in the main thread; messages come in threads of the node.
+
+    Args:
+        node: that hears and speaks for the robot.
+        make_side: gives the robot, with nothing remembered; again when a mission begins anew.
+        witnesses: nodes that must miss nothing in lock step.
+        ends: tells whether the node shall end.
+    """
+
+    def __init__(
+        self, node: RosNode, make_side: Callable[[], AgentSide], witnesses: Sequence[str], ends: Callable[[], bool]
+    ) -> None:
+        self._node = node
+        self._make_side = make_side
+        self._side = make_side()
+        self._ways = Ways(node, witnesses, ends)
+        self._ends = ends
+        self._changed = threading.Condition(node.lock)
+        self._news: Optional[TickNews] = None
+        self._began = 0.0
+        self._resolved: Dict[str, str] = {}
+
+    def listen(self, team: Sequence[str], tasks: Sequence[str]) -> None:
+        """Begin to hear; of ticks last, for the simulation takes it that who hears them hears everything.
+
+        Args:
+            team: ids of all robots.
+            tasks: ids of all tasks.
+        """
+        node = self._node
+        node.advertise(DONE_TOPIC, DONE_TYPE)
+        known: Dict[str, None] = {}
+        unknown: List[TopicPattern] = []
+        for topic in self._side.topics:
+            pattern = TopicPattern(topic)
+            known.update(dict.fromkeys(_expanded(topic, team, tasks)))
+            if not pattern.is_literal:
+                unknown.append(pattern)
+        for topic in known:
+            node.hear_topic(topic, self._hear)
+        if unknown:
+
+            def wanted(topic: str, _type: str) -> bool:
+                return topic not in known and any(each.match(topic) is not None for each in unknown)
+
+            node.hear(wanted, self._hear)
+        node.hear_topic(TICK_TOPIC, self._hear_tick)
+
+    def run(self) -> None:
+        """Take turns as the simulation tells of ticks, until the node shall end.
+
+        Raises:
+            MrtaError: agent or behaviour fail, or say what cannot be said.
+        """
+        while not self._ends():
+            with self._changed:
+                news = self._news
+                if news is None or not self._is_ready():
+                    self._changed.wait(_LOOK)
+                    continue
+                self._news = None
+                says = self._side.take_turn()
+            self._say(says, news)
+
+    def run_by_the_clock(self, rate: int) -> None:
+        """Take turns by ROS time, as on a robot, until the node shall end.
+
+        Args:
+            rate: of turns [Hz].
+
+        Raises:
+            MrtaError: as ``run``.
+        """
+        while not self._ends():
+            with self._node.lock:
+                now = self._node.now()
+                says = self._side.step_at(math.floor(now * rate), now) if now > 0.0 else ()
+            for said in says:
+                self._node.publish(said, now)
+            time.sleep(max(0.001, min(_LOOK, 0.25 / rate)))
+
+    def _hear(self, stamped: Stamped) -> None:
+        self._side.hear(stamped)
+        if self._news is not None and not self._side.missing:
+            self._changed.notify_all()
+
+    def _hear_tick(self, stamped: Stamped) -> None:
+        news = TickNews.of(self._node.codec.decode(stamped.connection, stamped.raw))
+        if news.over:
+            return
+        side = self._side
+        if side.tick is not None and news.tick <= side.tick:
+            _log.warning("robot=%s tick %d after tick %d: a mission begins anew", side.robot, news.tick, side.tick)
+            side = self._side = self._make_side()
+        if news.lock_step and self._node.name != agent_node(side.robot):
+            raise UsageError(
+                f"{self._node.name}: in lock step the node of {side.robot} must be {agent_node(side.robot)}; "
+                "leave its name, and give the robot's namespace"
+            )
+        self._news = news
+        self._began = time.monotonic()
+        side.begin(news)
+        self._changed.notify_all()
+
+    def _is_ready(self) -> bool:
+        missing = self._side.missing
+        if not missing:
+            return True
+        if time.monotonic() - self._began < _PATIENCE:
+            return False
+        _log.warning("robot=%s goes on without: %s", self._side.robot, ", ".join(" ".join(each) for each in missing))
+        return True
+
+    def _say(self, says: Iterable[AnyOutgoing], news: TickNews) -> None:
+        node = self._node
+        if not news.lock_step:
+            for said in says:
+                node.publish(said, news.stamp)
+            return
+        topics: List[str] = []
+        types: List[str] = []
+        latched: List[bool] = []
+        for said in says:
+            names = said.topics if isinstance(said, OutgoingRows) else (said.topic,)
+            topics.extend(map(self._resolve, names))
+            types.extend([said.type] * len(names))
+            latched.extend([not isinstance(said, OutgoingRows) and said.latched] * len(names))
+        self._ways.open(zip(topics, types, latched))
+        for said in says:
+            node.publish(said, news.stamp)
+        node.publish(TickDone(news.tick, self._side.robot, tuple(topics)).message(), news.stamp)
+
+    def _resolve(self, topic: str) -> str:
+        resolved = self._resolved.get(topic)
+        if resolved is None:
+            resolved = self._resolved[topic] = self._node.resolve(topic)
+        return resolved
+
+
+def _expanded(topic: str, team: Sequence[str], tasks: Sequence[str]) -> Sequence[str]:
+    """Give the topics that a pattern stands for, as far as robots and tasks are known; none if there are too many."""
+    robots = team if ROBOT_TOKEN in topic else ("",)
+    names = tasks if TASK_TOKEN in topic else ("",)
+    if topic == "*" or len(robots) * len(names) > _MOST_TOPICS:
+        return ()
+    return [
+        topic.replace(ROBOT_TOKEN, robot).replace(TASK_TOKEN, task) for robot, task in itertools.product(robots, names)
+    ]
