@@ -107,18 +107,19 @@ def sketch_cell(  # noqa: PLR0917 - numba knows no keyword-only arguments
 
 
 @inner_kernel
-def owns(robot: int, square: float, target: Floats, outline: Outline, rivals: int) -> bool:
+def owns(robot: int, square: float, x: float, y: float, outline: Outline, rivals: int) -> bool:  # noqa: PLR0917
     """Tell whether a robot is nearest to a target within its polygon, of equally near ones the first (Eq. 1).
 
     Args:
         robot: whose polygon.
         square: of its distance to the target [m^2].
-        target: its place, (2,) [m].
+        x: of the target [m].
+        y: of the target [m].
         outline: with the rivals.
         rivals: how many.
     """
     for index in range(rivals):
-        along_x, along_y = target[0] - outline.places[index, 0], target[1] - outline.places[index, 1]
+        along_x, along_y = x - outline.places[index, 0], y - outline.places[index, 1]
         other = along_x * along_x + along_y * along_y
         if other < square or (other == square and outline.rivals[index] < robot):
             return False

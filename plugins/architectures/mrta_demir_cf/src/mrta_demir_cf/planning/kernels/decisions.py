@@ -84,9 +84,9 @@ def _form_schedule(  # noqa: PLR0917 - numba knows no keyword-only arguments
         for cell in range(row * grid.side + left, row * grid.side + right + 1):
             for position in range(grid.first[cell], grid.ends[cell]):
                 target = grid.members[position]
-                along_x, along_y = field.places[target, 0] - at_x, field.places[target, 1] - at_y
-                square = along_x * along_x + along_y * along_y
-                if square <= limit and owns(robot, square, field.places[target], field.outline, rivals):
+                x, y = field.places[target, 0], field.places[target, 1]
+                square = (x - at_x) * (x - at_x) + (y - at_y) * (y - at_y)
+                if square <= limit and owns(robot, square, x, y, field.outline, rivals):
                     field.schedule[count], field.squares[count] = target, square
                     count += 1
                     if nearest:
@@ -103,7 +103,7 @@ def _cheapest(field: Field, count: int, alpha: float) -> int:
     first = second = field.schedule[0]
     if paired:
         first, second = farthest_of(places, field.schedule, count, field.outer)
-    span = _distance(places[first], places[second])
+    span = _distance(places, first, second)
     lowest, best = np.inf, -1
     for index in range(count):
         target = field.schedule[index]
@@ -111,7 +111,7 @@ def _cheapest(field: Field, count: int, alpha: float) -> int:
         if cost > lowest:
             continue
         if paired:
-            farther = max(_distance(places[first], places[target]), _distance(places[second], places[target]))
+            farther = max(_distance(places, first, target), _distance(places, second, target))
             cost += (1.0 - alpha) * (span - farther)
         if cost < lowest or (cost == lowest and target < best):
             lowest, best = cost, target
@@ -119,6 +119,6 @@ def _cheapest(field: Field, count: int, alpha: float) -> int:
 
 
 @inner_kernel
-def _distance(start: Floats, end: Floats) -> float:
-    along_x, along_y = end[0] - start[0], end[1] - start[1]
+def _distance(places: Floats, start: int, end: int) -> float:
+    along_x, along_y = places[end, 0] - places[start, 0], places[end, 1] - places[start, 1]
     return float(np.sqrt(along_x * along_x + along_y * along_y))
