@@ -171,7 +171,7 @@ def test_same_stream_gives_the_same_outputs(of: Mission, story: List[Step]) -> N
     play(second, story)
     one, other = first.finish(), second.finish()
     assert summary(one) == summary(other)
-    assert event_lines(one) == event_lines(other)
+    assert event_lines(one.events) == event_lines(other.events)
     assert incident_lines(one) == incident_lines(other)
     assert first.supervisor.news() == second.supervisor.news()
 

@@ -83,7 +83,7 @@ def test_summary_is_the_documented_one() -> None:
 
 
 def test_event_lines_tell_every_change_in_order() -> None:
-    lines = event_lines(story().finish())
+    lines = event_lines(story().finish().events)
     assert list(lines[0]) == ["time", "kind", "severity", "robot", "task", "state", "text"]
     assert [(line["time"], line["text"]) for line in lines] == [
         (1.1, "robot1 is busy"),

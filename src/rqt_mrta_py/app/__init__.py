@@ -3,8 +3,9 @@
 * ``compose``: registry, plugins, codec: the one place that wires; ``loading``: what it wires
 * ``observation``: supervisor, scene, panels and observers on one stream
 * ``run``: a simulated run; ``review_bag``: a recorded one; ``salvage_bag``: what is left of one
-* ``outputs``: what both leave
-* ``mission_message``: a mission as the first message of its bag; ``selection``: part of its team, another world
+* ``outputs``: what both leave; ``watch``: a team that is seen while it works, and nothing left
+* ``mission_message``: a mission as the first message of its bag; ``mission_source``: what a stream is about
+* ``selection``: part of a mission's team, another world
 * ``guard``, ``observers``: plugins' parts, told by name when they fail; ``interrupt``: Ctrl-C
 * ``processes``: what those have in common that share work
 * ``catalogue``: what is registered; ``doctor``: what is wrong with it

@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
-import dataclasses
 from contextlib import ExitStack
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-from typing import Callable, Iterator, Optional, Tuple
+from typing import Callable, Optional, Tuple
 
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.interrupt import Interrupt
-from rqt_mrta_py.app.mission_message import MISSION_TOPIC, MISSION_TYPE, mission_from_fields
+from rqt_mrta_py.app.mission_message import MISSION_TOPIC
+from rqt_mrta_py.app.mission_source import named_mission, silent_about_itself, told_mission
 from rqt_mrta_py.app.observation import Observation
+from rqt_mrta_py.app.outputs.communication import write_communication
 from rqt_mrta_py.app.outputs.exports import exporters_for, write_exports
 from rqt_mrta_py.app.outputs.figures import figure_makers_for, figures_of, write_figures
 from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.app.outputs.picture_files import PictureFiles, check_film, open_film
 from rqt_mrta_py.app.outputs.pictures import period_in_ticks
 from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch, write_results
-from rqt_mrta_py.config.mission import load_mission, load_observed
-from rqt_mrta_py.errors import TransportError, UsageError
-from rqt_mrta_py.hooks import Codec, Listener, Renderer, Stamped
+from rqt_mrta_py.errors import UsageError
+from rqt_mrta_py.hooks import Codec, Listener, Renderer
 from rqt_mrta_py.model import Mission
 from rqt_mrta_py.transport import read_bag, read_bag_info
 
@@ -112,6 +112,7 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
             write_exports(folder, exporters, results.record)
             figures = figures_of(makers, results.record)
         write_figures(folder, figures)
+        write_communication(folder, info, results.record, picture=pictures is not None)
         return stopwatch.result(folder, results, interrupt)
 
 
@@ -148,33 +149,10 @@ def _period_ns(mission: Mission, period: float) -> Fraction:
 
 def _mission(host: Host, request: ReviewRequest, codec: Codec) -> Tuple[Mission, Optional[float]]:
     """Find out what the bag is about: what the user says, else what the bag itself says."""
-    if request.application is not None:
-        mission = load_mission(
-            host.registry,
-            request.application,
-            architecture=request.architecture,
-            seed=None,
-            checks=host.manager,
-            must_fit=False,
-        )
+    mission = named_mission(host, request.application, request.architecture, request.bag.stem)
+    if mission is not None:
         return mission, None
-    if request.architecture is not None:
-        mission = load_observed(host.registry, request.architecture)
-        application = dataclasses.replace(mission.application, name=request.bag.stem)
-        return dataclasses.replace(mission, application=application), None
-    stamped = next(_mission_messages(request.bag), None)
+    stamped = next(read_bag(request.bag, topics=[MISSION_TOPIC]), None)
     if stamped is None:
-        raise UsageError(
-            f"{request.bag}: does not say what it is about (no message on {MISSION_TOPIC}); "
-            "give --application or --architecture, a registered name or an rqt_mrta.xml"
-        )
-    if stamped.connection.type != MISSION_TYPE:
-        raise TransportError(
-            f"{request.bag}: {MISSION_TOPIC} has type {stamped.connection.type}; {MISSION_TYPE} is expected"
-        )
-    fields = codec.decode(stamped.connection, stamped.raw)
-    return mission_from_fields(fields), float(fields["duration"]) or None
-
-
-def _mission_messages(bag: Path) -> Iterator[Stamped]:
-    return read_bag(bag, topics=[MISSION_TOPIC])
+        raise UsageError(silent_about_itself(str(request.bag)))
+    return told_mission(stamped, codec, str(request.bag))

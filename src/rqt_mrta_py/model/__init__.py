@@ -2,7 +2,7 @@
 
 * ``ids``, ``names``, ``geometry``, ``taxonomy``, ``states``: small vocabularies
 * ``task``, ``application``, ``architecture``, ``parameters``, ``scenario``, ``mission``: what is asked for
-* ``record``: what was observed
+* ``record``, ``communication``: what was observed
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from rqt_mrta_py.model.architecture import (
     LaunchTemplate,
     MonitoredTopic,
 )
+from rqt_mrta_py.model.communication import CommunicationGraph, Flow, TopicTraffic
 from rqt_mrta_py.model.geometry import Pose, Twist, wrap_angle
 from rqt_mrta_py.model.ids import normalise_id, wire_id
 from rqt_mrta_py.model.mission import Mission, MissionTexts
@@ -66,9 +67,11 @@ __all__ = [
     "ArchitectureSpec",
     "Arena",
     "ArrayTemplate",
+    "CommunicationGraph",
     "ConfigTemplate",
     "Event",
     "Evidence",
+    "Flow",
     "Incident",
     "IncludeSpec",
     "LaunchArgument",
@@ -104,6 +107,7 @@ __all__ = [
     "TaskType",
     "Taxonomy",
     "TemplateItem",
+    "TopicTraffic",
     "Twist",
     "is_legal_name",
     "normalise_id",

@@ -7,6 +7,7 @@
   drawn from, ``layers`` draw again only what looks different
 * ``dashboard``: the whole; its parts are in ``charts``
 * ``figures``: charts that missions and benchmarks leave
+* ``network``: nodes and topics
 * ``layout``, ``canvas``, ``text``, ``labels``, ``signs``, ``stamps``, ``palette``, ``times``, ``spells``,
   ``foremost``: what parts are drawn with
 * ``markers``: the scene for RViz and its like
@@ -23,6 +24,7 @@ from rqt_mrta_py.render.film import FilmWriter
 from rqt_mrta_py.render.jpeg_series import JpegSeries
 from rqt_mrta_py.render.markers import MARKERS_TOPIC, team_markers
 from rqt_mrta_py.render.monitor import MonitorRenderer, draw_monitor
+from rqt_mrta_py.render.network.picture import draw_communication
 from rqt_mrta_py.render.scene import SceneTracker
 
 __all__ = [
@@ -31,6 +33,7 @@ __all__ = [
     "JpegSeries",
     "MonitorRenderer",
     "SceneTracker",
+    "draw_communication",
     "draw_dashboard",
     "draw_monitor",
     "jpeg",

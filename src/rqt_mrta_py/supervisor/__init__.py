@@ -9,6 +9,7 @@
 * ``desk``, ``rules``: incidents; ``failures``: plugins that raise on the way
 * ``journal``, ``news``, ``summary``: the same for readers, for other nodes, for programs
 * ``statistics``: numbers of a finished mission
+* ``traffic``: how much flows between nodes and topics
 * ``plugin``: registers rules and statistics
 """
 
@@ -17,5 +18,15 @@ from __future__ import annotations
 from rqt_mrta_py.supervisor.news import team_news
 from rqt_mrta_py.supervisor.summary import event_lines, incident_lines, summary
 from rqt_mrta_py.supervisor.supervisor import Supervisor
+from rqt_mrta_py.supervisor.traffic import Traffic, communication, recorded_communication
 
-__all__ = ["Supervisor", "event_lines", "incident_lines", "summary", "team_news"]
+__all__ = [
+    "Supervisor",
+    "Traffic",
+    "communication",
+    "event_lines",
+    "incident_lines",
+    "recorded_communication",
+    "summary",
+    "team_news",
+]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from enum import Enum
-from typing import Any, Dict, List, Mapping
+from typing import Any, Dict, Iterable, List, Mapping
 
-from rqt_mrta_py.model import Incident, MissionRecord
+from rqt_mrta_py.model import Event, Incident, MissionRecord
 
 __all__ = ["SCHEMA", "event_lines", "incident_lines", "summary"]
 
@@ -61,7 +61,7 @@ def summary(record: MissionRecord) -> Dict[str, Any]:
     )
 
 
-def event_lines(record: MissionRecord) -> List[Dict[str, Any]]:
+def event_lines(events: Iterable[Event]) -> List[Dict[str, Any]]:
     """List the lines of ``events.jsonl``, in the order in which the events were noticed."""
     return [
         _plain_items(
@@ -75,7 +75,7 @@ def event_lines(record: MissionRecord) -> List[Dict[str, Any]]:
                 "text": event.text,
             }
         )
-        for event in record.events
+        for event in events
     ]
 
 

@@ -76,7 +76,7 @@ class OutputFolder:
         """Make the folder of the monitor pictures; those of an earlier run go, and nothing else does.
 
         Args:
-            wanted: False if there will be no pictures; then an earlier run's folder and dashboard go too.
+            wanted: False if there will be no pictures; then an earlier run's folder and pictures of the whole go too.
 
         Returns:
             The folder; None if it is not wanted.
@@ -91,6 +91,7 @@ class OutputFolder:
             if path.is_dir() and not any(path.iterdir()):
                 path.rmdir()
             self._remove("dashboard.png")
+            self._remove("communication.png")
         except OSError as error:
             raise OutputError(f"{error.filename}: cannot be replaced: {error.strerror}") from error
         return None

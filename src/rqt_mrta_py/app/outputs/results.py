@@ -86,7 +86,7 @@ def write_results(folder: OutputFolder, observation: Observation, dashboard: Opt
     record = observation.finish()
     summed_up = summary(record)
     folder.write_json("summary.json", summed_up)
-    folder.write_lines("events.jsonl", event_lines(record))
+    folder.write_lines("events.jsonl", event_lines(record.events))
     folder.write_lines("incidents.jsonl", incident_lines(record))
     if dashboard is not None and record.start is not None:
         write_picture(folder.path / "dashboard.png", dashboard(observation.dashboard_view(record)))

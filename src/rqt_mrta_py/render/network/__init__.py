@@ -1,0 +1,6 @@
+"""The picture of nodes and topics.
+
+* ``folding``: robots that say the same on topics of their own become one
+* ``layering``: who stands left of whom; ``ordering``: above whom; ``placing``: where exactly
+* ``picture``: draws it
+"""
