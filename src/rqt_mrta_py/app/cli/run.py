@@ -4,7 +4,14 @@ from __future__ import annotations
 
 import argparse
 
-from rqt_mrta_py.app.cli.common import ProgressLine, add_output_arguments, complain_about, finish, positive
+from rqt_mrta_py.app.cli.common import (
+    ProgressLine,
+    add_output_arguments,
+    complain_about,
+    finish,
+    not_negative,
+    positive,
+)
 
 __all__ = ["add_arguments", "main"]
 
@@ -39,6 +46,24 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         choices=(1, 2),
         help="1: do everything in one; 2: supervise, record and draw in another (default: 2 where there are two cores)",
     )
+    parser.add_argument(
+        "--ros",
+        action="store_true",
+        help="world and robots as nodes of a ROS graph; a master is started where ROS_MASTER_URI names this machine "
+        "and none answers",
+    )
+    parser.add_argument(
+        "--lock-step",
+        action="store_true",
+        help="with --ros: every tick waits for all nodes, so that they do exactly what they do without --ros",
+    )
+    parser.add_argument(
+        "--factor",
+        metavar="F",
+        type=not_negative,
+        help="with --ros: how many times as fast as the wall clock, 0 for as fast as it goes "
+        "(default: 1, in lock step 0)",
+    )
     add_output_arguments(parser)
 
 
@@ -46,8 +71,13 @@ def main(options: argparse.Namespace) -> int:
     """Run the mission."""
     from rqt_mrta_py.app.compose import compose
     from rqt_mrta_py.app.run.mission import RunRequest, run_mission
+    from rqt_mrta_py.errors import UsageError
     from rqt_mrta_py.model import MapKnowledge
 
+    if not options.ros and (options.lock_step or options.factor is not None):
+        raise UsageError("--lock-step and --factor are about nodes; give --ros too")
+    if options.ros and options.processes is not None:
+        raise UsageError("--processes and --ros: each node is a process; leave --processes out")
     host = compose()
     complain_about(host.problems)
     request = RunRequest(
@@ -68,7 +98,12 @@ def main(options: argparse.Namespace) -> int:
         processes=options.processes,
     )
     with ProgressLine(options.application, options.quiet) as progress:
-        result = run_mission(host, request, progress)
+        if options.ros:
+            from rqt_mrta_py.app.live.live_run import LiveWay, run_live_mission
+
+            result = run_live_mission(host, request, LiveWay(options.lock_step, options.factor), progress)
+        else:
+            result = run_mission(host, request, progress)
     return finish(result, options, "run")
 
 

@@ -33,18 +33,19 @@ _LOOK = 0.1
 """How often a wait looks whether the node shall end [s]."""
 
 
-def main(argv: Optional[Sequence[str]] = None, host: Optional[Host] = None) -> int:
+def main(argv: Optional[Sequence[str]] = None, host: Optional[Host] = None, level: int = logging.INFO) -> int:
     """Run the node, in the namespace of its robot unless arguments or environment name another.
 
     Args:
         argv: arguments without the program's name; None for the process's own.
         host: registry and plugins; None: they are looked for.
+        level: from which on log lines are told.
 
     Returns:
         The exit status: 0 when the node was asked to end.
     """
     arguments = list(sys.argv[1:] if argv is None else argv)
-    return node_main("agent", _work, _in_namespace(arguments), host=host, rosout=False)
+    return node_main("agent", _work, _in_namespace(arguments), host=host, level=level, rosout=False)
 
 
 def _in_namespace(arguments: List[str]) -> List[str]:

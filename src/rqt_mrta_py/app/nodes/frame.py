@@ -81,6 +81,7 @@ def node_main(
     work: Callable[[RosNode, Host, Ending], None],
     argv: Optional[Sequence[str]] = None,
     host: Optional[Host] = None,
+    level: int = logging.INFO,
     **how: Any,
 ) -> int:
     """Run a node until it ends.
@@ -90,6 +91,7 @@ def node_main(
         work: of the node; returns when it is done or its ending says so.
         argv: arguments without the program's name; None for the process's own.
         host: registry and plugins; None: they are looked for.
+        level: from which on this project's log lines are told.
         how: further arguments of ``RosNode.start``.
 
     Returns:
@@ -97,7 +99,7 @@ def node_main(
     """
     arguments: List[str] = list(sys.argv[1:] if argv is None else argv)
     start_logging(0, 0)
-    logging.getLogger("rqt_mrta_py").setLevel(logging.INFO)
+    logging.getLogger("rqt_mrta_py").setLevel(level)
     node: Optional[RosNode] = None
     try:
         if host is None:

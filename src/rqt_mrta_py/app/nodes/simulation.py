@@ -18,17 +18,18 @@ __all__ = ["main"]
 _log = logging.getLogger("rqt_mrta_py.app")
 
 
-def main(argv: Optional[Sequence[str]] = None, host: Optional[Host] = None) -> int:
+def main(argv: Optional[Sequence[str]] = None, host: Optional[Host] = None, level: int = logging.INFO) -> int:
     """Run the node.
 
     Args:
         argv: arguments without the program's name; None for the process's own.
         host: registry and plugins; None: they are looked for.
+        level: from which on log lines are told.
 
     Returns:
         The exit status: 0 when the mission is over or the node was asked to end.
     """
-    return node_main("simulation", _work, argv, host=host, rosout=False)
+    return node_main("simulation", _work, argv, host=host, level=level, rosout=False)
 
 
 def _work(node: RosNode, host: Host, ending: Ending) -> None:
