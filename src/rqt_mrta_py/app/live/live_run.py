@@ -168,7 +168,7 @@ class _Watching:
         bus = Bus(self._node.codec, PerfectLink())
         with open_watch(self._plan, bus) as watch:
             bus.tap(self._pass_on)
-            self._node.hear(self._wanted, self._stream.hear)
+            self._node.hear(self._wanted, self._hear)
             self._node.hear_topic(TICK_TOPIC, self._hear_tick)
             over = False
             while not over:
@@ -183,6 +183,11 @@ class _Watching:
         if topic in (TICK_TOPIC, DONE_TOPIC):
             return False
         return topic == "/rosout" or topic not in SUPERVISOR_TOPICS
+
+    def _hear(self, stamped: Stamped) -> None:
+        # What this node says itself is taken in where it is said.
+        if stamped.connection.caller != self._node.name:
+            self._stream.hear(stamped)
 
     def _hear_tick(self, stamped: Stamped) -> None:
         self._stream.begin(TickNews.of(self._node.codec.decode(stamped.connection, stamped.raw)))

@@ -66,23 +66,18 @@ class Ways:
             return
         for topic, type_name, latched in new:
             self._node.advertise(topic, type_name, latched)
-        names = [topic for topic, _, _ in new]
-        self._open.update(names)
-        until = time.monotonic() + _PATIENCE
-        missing = self._missing(names)
-        while missing and not self._ends():
-            if time.monotonic() > until:
-                _log.warning("nobody waits any longer for: %s", ", ".join(sorted(missing)))
-                return
-            time.sleep(_LOOK)
-            missing = self._missing(names)
-
-    def _missing(self, topics: Iterable[str]) -> Set[str]:
-        """Give who is not connected yet, as ``topic node``."""
+        self._open.update(topic for topic, _, _ in new)
         graph = self._node.graph()
         witnesses = self._witnesses.intersection(graph.nodes)
-        missing: Set[str] = set()
-        for topic in topics:
-            wanted = {*graph.subscribers.get(topic, ()), *witnesses}
-            missing.update(f"{topic} {node}" for node in wanted - self._node.hearers(topic))
-        return missing
+        wanted = {topic: {*graph.subscribers.get(topic, ()), *witnesses} for topic, _, _ in new}
+        until = time.monotonic() + _PATIENCE
+        while not self._ends():
+            missing = [
+                f"{topic} {node}" for topic in wanted for node in sorted(wanted[topic] - self._node.hearers(topic))
+            ]
+            if not missing:
+                return
+            if time.monotonic() > until:
+                _log.warning("nobody waits any longer for: %s", ", ".join(missing))
+                return
+            time.sleep(_LOOK)
