@@ -223,3 +223,27 @@ def test_what_a_callback_raises_ends_the_node(master: MasterProcess, stranger: P
         fragile.do("node.hear(lambda t, k: t == '/poison', lambda heard: 1 / 0)")
         assert fragile.ask("raised(node.wait, 10)") == "ZeroDivisionError: division by zero"
         assert fragile.ask("ended") == [True]
+
+
+def test_connection_that_breaks_is_made_again_while_its_publisher_is_there(
+    node: PythonProcess, stranger: PythonProcess
+) -> None:
+    """The master does not tell, for it does not know; rospy by itself would never hear that publisher again."""
+    hear(node, "broken", "/broken")
+    publish(stranger, "/broken")
+    say(stranger, "before")
+    node.until("broken")
+    stranger.do("for connection in pub.impl.connections: connection.close()")
+    assert stranger.ask("pub.get_num_connections()") == 0
+    say(stranger, "after")
+    node.until("len(broken) == 2")
+
+
+def test_large_messages_arrive_whole_among_small_ones(node: PythonProcess, stranger: PythonProcess) -> None:
+    hear(node, "sizes", "/sizes")
+    publish(stranger, "/sizes")
+    stranger.until("pub.get_num_connections() > 0")
+    stranger.do("for size in (0, 1, 65527, 65528, 65529, 3_000_000, 2, 200_000): pub.publish('x' * size)")
+    node.until("len(sizes) == 8")
+    assert node.ask("[len(h.raw) - 4 for h in sizes]") == [0, 1, 65527, 65528, 65529, 3_000_000, 2, 200_000]
+    assert node.ask("sizes[5].raw[4:] == b'x' * 3_000_000")

@@ -3,7 +3,8 @@
 * ``node``: all of it, behind one class
 * ``door``: the only place that imports rospy, genpy and rosgraph
 * ``starting``: how a process becomes a node; ``arguments``: remappings and private parameters; ``clock``: ROS time
-* ``hearing``, ``publishing``, ``services``: messages and requests as bytes; ``raw``: the classes that carry them
+* ``reading``: connections, read in one thread; ``hearing``: who hears what of them
+* ``publishing``, ``services``: messages and requests as bytes; ``raw``: classes that carry them
 * ``master``, ``registrations``, ``watch``: the master, also when it is lost or restarted
 * ``misfits``: connections whose ends do not mean the same
 * ``logs``: log lines on ``/rosout``

@@ -5,7 +5,8 @@ from __future__ import annotations
 import logging
 import struct
 import warnings
-from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Tuple
+from functools import partial
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Codec, Connection, Heard, Stamped, Subscription
@@ -15,13 +16,11 @@ from rqt_mrta_py.transport.patterns import TopicPattern
 from rqt_mrta_py.transport.ros1.clock import CLOCK_TOPIC, CLOCK_TYPE, RosClock
 from rqt_mrta_py.transport.ros1.door import rospy
 from rqt_mrta_py.transport.ros1.raw import any_type
+from rqt_mrta_py.transport.ros1.reading import Taker
 
 __all__ = ["Ears", "Hearer"]
 
 _log = logging.getLogger("rqt_mrta_py.transport")
-
-_ROUTE = "rqt_mrta_py route"
-"""Where, among a connection's header fields, it is noted who hears it: rospy hands them out with every message."""
 
 _new_stamped = tuple.__new__
 """Makes a Stamped of a tuple of its values, in half the time of the constructor of a NamedTuple."""
@@ -46,16 +45,26 @@ class Hearer(NamedTuple):
 
 
 class _Route:
-    """Where the messages of one connection go, as of a version of the hearers."""
+    """Where the messages of one connection go, as of a version of the hearers.
 
-    __slots__ = ("connection", "hearers", "last", "ticks", "version")
+    Attributes:
+        connection: how they come.
+        hearers: who is told of them, with what gives their receipts.
+        last: the latest, for late hearers, if it is latched.
+        latest: how many of those that have arrived together are handed on; None: all.
+        ticks: whether they tell the time.
+        version: of the hearers.
+    """
 
-    def __init__(self, connection: Connection, ticks: bool) -> None:
+    __slots__ = ("connection", "hearers", "last", "latest", "ticks", "version")
+
+    def __init__(self, connection: Connection) -> None:
         self.connection = connection
-        self.ticks = ticks
         self.hearers: Tuple[Tuple[Callable[[Stamped], None], Optional[Callable[[], int]]], ...] = ()
-        self.version = -1
         self.last: Optional[bytes] = None
+        self.latest: Optional[int] = None
+        self.ticks = False
+        self.version = -1
 
 
 class Ears:
@@ -68,6 +77,7 @@ class Ears:
         on_connection: is told of each new connection, before its first message.
         on_jump: is told when the clock went backwards: old and new time [s].
         on_failure: is told what a callback raised.
+        on_lost: is told of a topic that a connection to one of its publishers was lost; it must take no lock for long.
     """
 
     def __init__(
@@ -79,6 +89,7 @@ class Ears:
         on_connection: Callable[[Connection], None],
         on_jump: Callable[[float, float], None],
         on_failure: Callable[[Exception], None],
+        on_lost: Callable[[str], None],
     ) -> None:
         self._codec = codec
         self._lock = lock
@@ -86,10 +97,12 @@ class Ears:
         self._on_connection = on_connection
         self._on_jump = on_jump
         self._on_failure = on_failure
+        self._on_lost = on_lost
         self._hearers: List[Hearer] = []
         self._version = 0
         self._known: Dict[Connection, Connection] = {}
         self._subscribers: Dict[str, Any] = {}
+        self._routes: Dict[str, Dict[_Route, None]] = {}
         self._topics: Mapping[str, str] = {}
         self._asked: Tuple[Mapping[str, str], int] = ({}, -1)
         self.closed = False
@@ -117,8 +130,7 @@ class Ears:
         with self._lock:
             self._hearers.append(hearer)
             self._version += 1
-            for topic in sorted(self._subscribers):
-                self._repeat_latched(topic, hearer)
+            self._repeat_latched(hearer)
         if hearer.topic:
             self._open(hearer.topic)
         self.offer(self._topics)
@@ -158,38 +170,54 @@ class Ears:
             if self.closed or topic in self._subscribers:
                 return
             self._subscribers[topic] = None
-            limits = [hearer.latest for hearer in self._those_who_want(topic)]
-        latest = None if None in limits else max(each for each in limits if each is not None)
         if is_legal_name(topic):
-            subscriber = _subscriber(topic, self._take, latest)
+            subscriber = rospy().Subscriber(topic, any_type(), tcp_nodelay=True)
         else:
             _log.warning("topic=%r is no name that ROS accepts; it is heard all the same", topic)
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                subscriber = _subscriber(topic, self._take, latest)
+                subscriber = rospy().Subscriber(topic, any_type(), tcp_nodelay=True)
         with self._lock:
             self._subscribers[topic] = subscriber
 
-    def _take(self, message: Any, topic: str) -> None:
-        """Hand on a message; rospy calls this in the thread of the connection."""
-        header = message._connection_header
-        raw = message.raw
+    def welcome(self, topic: str, header: Mapping[str, str]) -> Taker:
+        """Give who takes in the messages of a new connection.
+
+        Args:
+            topic: resolved.
+            header: what its publisher says of it.
+        """
         with self._lock:
-            if self.closed:
-                return
+            route = _Route(self._connection(topic, header))
+            self._routes.setdefault(topic, {})[route] = None
+        return Taker(partial(self._take, route), partial(self._leave, route))
+
+    def _leave(self, route: _Route) -> None:
+        topic = route.connection.topic
+        self._routes[topic].pop(route, None)
+        if topic in self._subscribers and not self.closed:
+            self._on_lost(topic)
+
+    def _take(self, route: _Route, raws: Sequence[bytes]) -> None:
+        """Hand on messages of one connection that have arrived together."""
+        with self._lock:
             try:
-                route = header.get(_ROUTE)
-                if route is None or route.version != self._version:
-                    route = self._routed(topic, header, route)
-                if route.ticks:
-                    self._tick(route, raw)
+                if route.version != self._version:
+                    self._aim(route)
+                if route.latest:
+                    raws = raws[-route.latest :]
                 connection = route.connection
-                if connection.latched:
-                    route.last = raw
-                receipt = self._clock.receipt()
-                for callback, receipts in route.hearers:
-                    at = receipt if receipts is None else receipts()
-                    callback(_new_stamped(Stamped, (connection, at, raw)))
+                for raw in raws:
+                    if self.closed:
+                        return
+                    if route.ticks:
+                        self._tick(route, raw)
+                    if connection.latched:
+                        route.last = raw
+                    receipt = self._clock.receipt()
+                    for callback, receipts in route.hearers:
+                        at = receipt if receipts is None else receipts()
+                        callback(_new_stamped(Stamped, (connection, at, raw)))
             except Exception as error:  # noqa: BLE001 - whatever a callback raises ends the node, not only a thread
                 self._on_failure(error)
 
@@ -197,27 +225,19 @@ class Ears:
         try:
             jump = self._clock.tick(raw)
         except struct.error:
-            route.ticks = False
             _log.warning("caller=%s says on %s what is no time; it is not heeded", route.connection.caller, CLOCK_TOPIC)
             return
         if jump is not None:
             self._on_jump(*jump)
 
-    def _routed(self, topic: str, header: Dict[str, Any], route: Optional[_Route]) -> _Route:
+    def _aim(self, route: _Route) -> None:
         """Find out anew who hears a connection."""
-        if route is None:
-            connection = self._connection(topic, header)
-            ticks = self._clock.simulated and connection.topic == CLOCK_TOPIC and connection.type == CLOCK_TYPE
-            route = _Route(connection, ticks)
-        connection = route.connection
-        route.hearers = tuple(
-            (hearer.callback, hearer.receipts)
-            for hearer in self._hearers
-            if hearer.wanted(connection.topic, connection.type)
-        )
+        topic, type_name = route.connection.topic, route.connection.type
+        wanting = [hearer for hearer in self._hearers if hearer.wanted(topic, type_name)]
+        route.hearers = tuple((hearer.callback, hearer.receipts) for hearer in wanting)
+        route.latest = _most(wanting)
+        route.ticks = self._clock.simulated and topic == CLOCK_TOPIC and type_name == CLOCK_TYPE
         route.version = self._version
-        header[_ROUTE] = route
-        return route
 
     def _connection(self, topic: str, header: Mapping[str, str]) -> Connection:
         type_name, md5 = header["type"], header["md5sum"]
@@ -237,21 +257,19 @@ class Ears:
             self._on_connection(made)
         return connection
 
-    def _repeat_latched(self, topic: str, hearer: Hearer) -> None:
-        subscriber = self._subscribers[topic]
-        if subscriber is None or subscriber.impl is None:
-            return
-        for transport in subscriber.impl.connections:
-            route = (transport.header or {}).get(_ROUTE)
-            if route is None or route.last is None:
-                continue
-            if hearer.wanted(route.connection.topic, route.connection.type):
-                at = self._clock.receipt() if hearer.receipts is None else hearer.receipts()
-                hearer.callback(Stamped(route.connection, at, route.last))
+    def _repeat_latched(self, hearer: Hearer) -> None:
+        for topic in sorted(self._routes):
+            for route in tuple(self._routes[topic]):
+                connection = route.connection
+                if route.last is not None and hearer.wanted(topic, connection.type):
+                    at = self._clock.receipt() if hearer.receipts is None else hearer.receipts()
+                    hearer.callback(Stamped(connection, at, route.last))
 
 
-def _subscriber(topic: str, callback: Callable[[Any, str], None], latest: Optional[int]) -> Any:
-    return rospy().Subscriber(topic, any_type(), callback, topic, queue_size=latest, tcp_nodelay=True)
+def _most(hearers: Sequence[Hearer]) -> Optional[int]:
+    """Give how many messages may wait if everybody is to get what he wants; None: any number."""
+    limits = [hearer.latest for hearer in hearers if hearer.latest is not None]
+    return max(limits) if limits and len(limits) == len(hearers) else None
 
 
 def _report(heard: Heard, text: str) -> None:

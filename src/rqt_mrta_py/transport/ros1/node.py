@@ -20,6 +20,7 @@ from rqt_mrta_py.transport.ros1.logs import ROSOUT, RosoutHandler
 from rqt_mrta_py.transport.ros1.master import Graph, Master
 from rqt_mrta_py.transport.ros1.misfits import Misfit, Misfits, watch_refusals
 from rqt_mrta_py.transport.ros1.publishing import Mouths
+from rqt_mrta_py.transport.ros1.reading import Reader
 from rqt_mrta_py.transport.ros1.starting import become_node
 from rqt_mrta_py.transport.ros1.watch import MasterChange, MasterWatch
 
@@ -65,7 +66,9 @@ class RosNode:
             on_connection=misfits.check,
             on_jump=self._jumped,
             on_failure=self._failed,
+            on_lost=self._lost,
         )
+        self._reader = Reader(self._ears.welcome)
         self._mouths = Mouths(codec, name, arguments)
         self._watch = MasterWatch(master, name, self._ears.offer, self._master_changed)
         self._rosout = RosoutHandler(name, self.now, self._mouths.publish)
@@ -367,6 +370,7 @@ class RosNode:
         if rosout:
             self.advertise(*ROSOUT, latched=True)
             self._rosout.attach()
+        self._reader.start()
         watch_refusals(self._misfit)
         if self._clock.simulated:
             self._ears.add(
@@ -384,6 +388,7 @@ class RosNode:
                 self._failure = self._failure or error
                 _log.error("node=%s at its end: %s", self.name, error)
         self._ears.closed = True
+        self._reader.stop()
         self._watch.stop()
         self._rosout.close()
 
@@ -401,6 +406,9 @@ class RosNode:
     def _master_changed(self, change: MasterChange) -> None:
         _log.warning("master=%s %s", self._master.uri, change.value)
         self._tell(self._on_master, change)
+
+    def _lost(self, topic: str) -> None:
+        self._watch.again(topic)
 
     def _misfit(self, misfit: Misfit) -> None:
         _log.warning("%s%s", misfit.text, f"\n{misfit.difference}" if misfit.difference else "")

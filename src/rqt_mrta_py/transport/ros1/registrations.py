@@ -69,6 +69,11 @@ class Registrations:
             self._told.clear()
             self._gone.clear()
 
+    def again(self, topic: str) -> None:
+        """Ask the master at the next occasion who publishes a topic that this node hears."""
+        with self._lock:
+            self._told.discard((_Kind.SUB, topic))
+
     def tell(self, master: Master) -> None:
         """Tell the master what it does not know yet.
 

@@ -68,6 +68,10 @@ class MasterWatch:
         if threading.current_thread() is not self._thread:
             self._thread.join(PERIOD)
 
+    def again(self, topic: str) -> None:
+        """Ask soon who publishes a topic: a connection was lost whose publisher may still be there."""
+        self._registrations.again(topic)
+
     def wake(self) -> None:
         """Ask at once."""
         self._due.set()
