@@ -65,6 +65,8 @@ def test_clock_that_goes_backwards_is_told_before_any_later_message(own_master: 
             process.do(f"node.publish(Outgoing('/news', 'std_msgs/String', {{}}), {now})")
             process.until("told[-1][0] == 'news'")
         assert process.ask("told") == expected
+        process.do("import rospy")
+        assert process.ask("rospy.Time.now().to_sec()") == 2.25
         process.do("node.shut_down('the test is over')")
 
 

@@ -239,6 +239,15 @@ def test_connection_that_breaks_is_made_again_while_its_publisher_is_there(
     node.until("len(broken) == 2")
 
 
+def test_plugin_that_uses_rospy_by_itself_hears_as_ever(node: PythonProcess, stranger: PythonProcess) -> None:
+    node.do("import rospy, rosgraph_msgs.msg; theirs = []")
+    node.do("rospy.Subscriber('/for_plugin', rosgraph_msgs.msg.Clock, theirs.append)")
+    publish(stranger, "/for_plugin", "make('rosgraph_msgs/Clock', 'time clock')", latch=True)
+    stranger.do("pub.publish(rospy.Time(3, 0))")
+    node.until("theirs")
+    assert node.ask("theirs[0].clock.secs") == 3
+
+
 def test_large_messages_arrive_whole_among_small_ones(node: PythonProcess, stranger: PythonProcess) -> None:
     hear(node, "sizes", "/sizes")
     publish(stranger, "/sizes")

@@ -4,7 +4,8 @@
 * ``door``: the only place that imports rospy, genpy and rosgraph
 * ``starting``: how a process becomes a node; ``arguments``: remappings and private parameters; ``clock``: ROS time
 * ``reading``: connections, read in one thread; ``hearing``: who hears what of them
-* ``publishing``, ``services``: messages and requests as bytes; ``raw``: classes that carry them
+* ``publishing``, ``services``: messages and answers as bytes; ``raw``: classes that carry them
+* ``asking``: parameters, the graph, services of others
 * ``master``, ``registrations``, ``watch``: the master, also when it is lost or restarted
 * ``misfits``: connections whose ends do not mean the same
 * ``logs``: log lines on ``/rosout``

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 import time
-from typing import Optional, Tuple
+from typing import Callable, Optional, Tuple
 
 __all__ = ["CLOCK_TOPIC", "CLOCK_TYPE", "RosClock"]
 
@@ -19,13 +19,20 @@ _SECOND = 1_000_000_000
 class RosClock:
     """Tells the time of one node; whoever asks holds the node's lock.
 
+    Args:
+        simulated: see below.
+        tell: is told seconds and nanoseconds of each simulated time, from 0 on.
+
     Attributes:
         simulated: whether the time is that of ``/clock``; it is 0 until the first message.
     """
 
-    def __init__(self, simulated: bool) -> None:
+    def __init__(self, simulated: bool, tell: Callable[[int, int], None] = lambda seconds, nanoseconds: None) -> None:
         self.simulated = simulated
+        self._tell = tell
         self._now = 0
+        if simulated:
+            tell(0, 0)
 
     def now(self) -> float:
         """Give the time [s]."""
@@ -50,5 +57,6 @@ class RosClock:
             struct.error: the message is too short.
         """
         seconds, nanoseconds = _read_time(raw)
+        self._tell(seconds, nanoseconds)
         before, self._now = self._now, seconds * _SECOND + nanoseconds
         return (before / _SECOND, self._now / _SECOND) if self._now < before else None

@@ -10,7 +10,7 @@ from xmlrpc.client import Error as XmlRpcError
 
 from rqt_mrta_py.errors import MissingDependencyError
 
-__all__ = ["NETWORK_ERRORS", "genpy_message", "registration_listener", "rosgraph", "rospy"]
+__all__ = ["NETWORK_ERRORS", "genpy_message", "registration_listener", "rosgraph", "rospy", "tell_rospy_the_time"]
 
 NETWORK_ERRORS: Tuple[Type[BaseException], ...] = (
     OSError,
@@ -71,6 +71,15 @@ def genpy_message() -> Any:
             f"live ROS 1 needs ROS's library genpy ({error}), not the one of that name that pip installs; {_REMEDY}"
         ) from error
     return Message
+
+
+def tell_rospy_the_time(seconds: int, nanoseconds: int) -> None:
+    """Set rospy's own clock, for a plugin that uses rospy by itself."""
+    module = rospy().rostime
+    module._rostime_current = module.Time(seconds, nanoseconds)
+    condition = module.get_rostime_cond()
+    with condition:
+        condition.notify_all()
 
 
 def registration_listener() -> Any:

@@ -7,17 +7,16 @@ import threading
 from contextlib import nullcontext
 from typing import Any, Callable, FrozenSet, List, Mapping, Optional, Sequence
 
-from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import AnyOutgoing, Codec, Heard, Stamped, Subscription
-from rqt_mrta_py.model import resolve_name
 from rqt_mrta_py.transport.patterns import resolve_topic
 from rqt_mrta_py.transport.ros1 import services
 from rqt_mrta_py.transport.ros1.arguments import NodeArguments
+from rqt_mrta_py.transport.ros1.asking import Asking
 from rqt_mrta_py.transport.ros1.clock import CLOCK_TOPIC, RosClock
-from rqt_mrta_py.transport.ros1.door import rospy
+from rqt_mrta_py.transport.ros1.door import rospy, tell_rospy_the_time
 from rqt_mrta_py.transport.ros1.hearing import Ears, Hearer
 from rqt_mrta_py.transport.ros1.logs import ROSOUT, RosoutHandler
-from rqt_mrta_py.transport.ros1.master import Graph, Master
+from rqt_mrta_py.transport.ros1.master import Master
 from rqt_mrta_py.transport.ros1.misfits import Misfit, Misfits, watch_refusals
 from rqt_mrta_py.transport.ros1.publishing import Mouths
 from rqt_mrta_py.transport.ros1.reading import Reader
@@ -32,11 +31,11 @@ _PATIENCE = 5.0
 """How long to wait for somebody else who ends the node [s]."""
 
 
-class RosNode:
+class RosNode(Asking):
     """This process as a node of a ROS 1 graph; made by ``start``, once in a process.
 
-    Callbacks are called one at a time, in the order in which messages arrive, in threads of rospy's, while the node's
-    lock is held. What a callback raises ends the node: ``wait`` raises it again.
+    Callbacks are called one at a time while the node's lock is held, those of messages in the order in which they
+    arrive, in the one thread that reads them. What a callback raises ends the node: ``wait`` raises it again.
 
     Attributes:
         name: resolved.
@@ -45,11 +44,8 @@ class RosNode:
     """
 
     def __init__(self, codec: Codec, arguments: NodeArguments, master: Master, clock: RosClock) -> None:
-        self.name = name = master.caller
-        self.codec = codec
+        super().__init__(codec, arguments.remappings, master)
         self.lock = threading.RLock()
-        self._arguments = arguments
-        self._master = master
         self._clock = clock
         self._ending: Optional[threading.Thread] = None
         self._ended = threading.Event()
@@ -69,9 +65,9 @@ class RosNode:
             on_lost=self._lost,
         )
         self._reader = Reader(self._ears.welcome)
-        self._mouths = Mouths(codec, name, arguments)
-        self._watch = MasterWatch(master, name, self._ears.offer, self._master_changed)
-        self._rosout = RosoutHandler(name, self.now, self._mouths.publish)
+        self._mouths = Mouths(codec, self.name, arguments)
+        self._watch = MasterWatch(Master(master.uri, self.name), self.name, self._ears.offer, self._master_changed)
+        self._rosout = RosoutHandler(self.name, self.now, self._mouths.publish)
 
     @classmethod
     def start(
@@ -101,7 +97,7 @@ class RosNode:
         given = NodeArguments.read(arguments)
         master = become_node(name, given, anonymous, await_master)
         simulated, _, value = master.ask("getParam", "/use_sim_time")
-        node = cls(codec, given, master, RosClock(bool(simulated and value)))
+        node = cls(codec, given, master, RosClock(bool(simulated and value), tell_rospy_the_time))
         node._begin(rosout)
         return node
 
@@ -114,17 +110,6 @@ class RosNode:
         """Give ROS time [s]; where it is simulated, 0 before the first message of ``/clock``."""
         return self._clock.now()
 
-    def resolve(self, name: str) -> str:
-        """Resolve and remap a name.
-
-        Raises:
-            TransportError: ROS does not accept it.
-        """
-        try:
-            return resolve_name(name, self.name, self._arguments.remappings)
-        except ValueError as error:
-            raise TransportError(f"{self.name}: {error}") from error
-
     def subscribe(self, subscription: Subscription, callback: Callable[[Heard], None], latest: int = 1000) -> None:
         """Hear topics from now on, and the latched messages that they already have.
 
@@ -136,7 +121,7 @@ class RosNode:
         Raises:
             TransportError: the topic is no name that ROS accepts.
         """
-        topic = resolve_topic(subscription.topic, self.name, self._arguments.remappings)
+        topic = resolve_topic(subscription.topic, self.name, self._remappings)
         self._ears.subscribe(subscription._replace(topic=topic), callback, latest)
         self._watch.wake()
 
@@ -253,55 +238,6 @@ class RosNode:
         lock = self.lock if alone else nullcontext()
         services.serve(self.resolve(name), services.ServiceType.find(type_name, self.codec), self.codec, lock, handler)
 
-    def call(self, name: str, type_name: str, fields: Mapping[str, Any], timeout: float) -> Mapping[str, Any]:
-        """Ask a service, not one of this node while its lock is held.
-
-        Args:
-            name: is resolved and remapped.
-            type_name: ``pkg/Srv``.
-            fields: of the request.
-            timeout: how long it may take in all, until it appears included [s].
-
-        Raises:
-            TransportError: it is not there, does not answer in time, refuses, or is of another type.
-        """
-        service = services.ServiceType.find(type_name, self.codec)
-        return services.call(
-            self.resolve(name), service, fields, timeout, codec=self.codec, master=self._master, caller=self.name
-        )
-
-    def parameter(self, name: str, default: Any = None) -> Any:
-        """Give a parameter as plain builtins.
-
-        Args:
-            name: global, relative or private (``~x``).
-            default: what it is where nobody has set it.
-
-        Raises:
-            TransportError: the name is not accepted, or no master answers.
-        """
-        found, _, value = self._master.ask("getParam", self.resolve(name))
-        return value if found else default
-
-    def parameters(self, namespace: str) -> Mapping[str, Any]:
-        """Give all parameters of a namespace, nested as their names are; empty if there are none.
-
-        Raises:
-            TransportError: as ``parameter``.
-        """
-        value = self.parameter(namespace, {})
-        return value if isinstance(value, dict) else {}
-
-    def set_parameter(self, name: str, value: Any) -> None:
-        """Set a parameter.
-
-        Raises:
-            TransportError: as ``parameter``, or the value is none that a parameter can have.
-        """
-        done, text, _ = self._master.ask("setParam", self.resolve(name), value)
-        if not done:
-            raise TransportError(f"parameter {name}: cannot be set: {text}")
-
     def log(self, level: int, text: str) -> None:
         """Say a line to people: on stderr and ``/rosout``, and in ROS's log file.
 
@@ -310,14 +246,6 @@ class RosNode:
             text: one line.
         """
         _log.log(level, "%s", text)
-
-    def graph(self) -> Graph:
-        """Give what the master knows of nodes, topics and services.
-
-        Raises:
-            TransportError: no master answers.
-        """
-        return self._master.graph()
 
     def on_time_jump(self, callback: Callable[[float, float], None]) -> None:
         """Tell somebody when the clock goes backwards: the times before and after [s], before any later message."""

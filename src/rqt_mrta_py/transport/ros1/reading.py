@@ -14,6 +14,7 @@ from collections import deque
 from typing import Any, Callable, Deque, Dict, List, Mapping, NamedTuple, Sequence
 
 from rqt_mrta_py.transport.ros1.door import rospy
+from rqt_mrta_py.transport.ros1.raw import any_type
 
 __all__ = ["Incoming", "Reader", "Taker"]
 
@@ -186,7 +187,11 @@ class Reader:
 def _handed_over(base: Any, adopt: Callable[[Any], None], forget: Callable[[Any], None]) -> Any:
     """Make a class of connections that are handed over once they stand."""
 
-    def receive_loop(self: Any, _callback: Any) -> None:
+    def receive_loop(self: Any, callback: Any) -> None:
+        if self.protocol.recv_data_class is not any_type():
+            # Somebody else in this process uses rospy by himself.
+            base.receive_loop(self, callback)
+            return
         try:
             adopt(self)
         except (OSError, AttributeError):
