@@ -58,7 +58,7 @@ def ros_files() -> List[Tuple[str, Sequence[str]]]:
     share = "share/rqt_mrta_py"
     # rosrun looks below lib in a catkin workspace, below share where ROS_PACKAGE_PATH names that folder.
     placed = [(share, HERE / "package.xml"), *_below("lib/rqt_mrta_py", HERE / "scripts")]
-    for folder in ("scripts", "msg", "srv", "launch_xml"):
+    for folder in ("scripts", "config", "msg", "srv", "launch_xml"):
         placed += _below(f"{share}/{folder}", HERE / folder)
     for manifest in (HERE / "plugins").glob("*/*/package.xml"):
         package = manifest.parent
