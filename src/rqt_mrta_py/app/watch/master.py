@@ -29,6 +29,9 @@ _LOOK = 0.05
 _ASK = 2.0
 """How often the master is asked for nodes and topics [s]."""
 
+_COUNT = 0.5
+"""How often to look how much flows, so that rates are those of the last seconds [s]."""
+
 _HINT = 3.0
 """How long to wait for word of what is watched until the user is told [s]."""
 
@@ -76,7 +79,7 @@ class _MasterWatch:
             Exception: what a callback raised.
         """
         node = self._node
-        began = heard_at = shown_at = time.monotonic()
+        began = heard_at = shown_at = counted_at = time.monotonic()
         heard = 0
         hinted = mission is not None
         if mission is not None:
@@ -92,6 +95,9 @@ class _MasterWatch:
                 self._tell()
                 if self._heard != heard:
                     heard, heard_at = self._heard, now
+                if self._request.graph and self._watch is not None and now - counted_at >= _COUNT:
+                    counted_at = now
+                    self._watch.traffic.flows(now)
             if self._watch is None and not hinted and now - began >= _HINT:
                 hinted = True
                 _log.warning("%s; waiting for it", silent_about_itself(f"the team at {_where()}"))
