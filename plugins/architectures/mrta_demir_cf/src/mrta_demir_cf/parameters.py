@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from enum import Enum
 from typing import Any, Callable, Dict, List, Mapping, Tuple
 
 from mrta_demir_cf.planning.costs import ALPHA, CostFunction, eyh_cost, uem_cost
-from rqt_mrta_py.hooks import ParameterProblem
+from rqt_mrta_py.hooks import ParameterProblem, ParameterRangeError, read_fields, wrong_parameters
 
 __all__ = [
     "BALANCED",
     "ROLLOUT",
     "DemirCfParameters",
     "Objective",
-    "ParameterRangeError",
     "find_problems",
     "read_parameters",
 ]
@@ -35,18 +34,6 @@ class Objective(Enum):
 
     PATH = "path"
     TIME = "time"
-
-
-class ParameterRangeError(ValueError):
-    """Parameters that robots cannot work with.
-
-    Attributes:
-        problems: all of them, by path.
-    """
-
-    def __init__(self, problems: Tuple[ParameterProblem, ...]) -> None:
-        self.problems = problems
-        super().__init__("; ".join(f"{problem.path}: {problem.message}" for problem in problems))
 
 
 @dataclass(frozen=True)
@@ -159,33 +146,9 @@ def read_parameters(given: Mapping[str, Any]) -> DemirCfParameters:
     Raises:
         ParameterRangeError: carries everything that is wrong.
     """
-    values: Dict[str, Any] = {}
-    problems: List[ParameterProblem] = []
-    for field in fields(DemirCfParameters):
-        value = given.get(field.name, field.default)
-        wanted = type(field.default)
-        if wanted is float and isinstance(value, int) and not isinstance(value, bool):
-            value = float(value)
-        if isinstance(value, wanted):
-            values[field.name] = value
-        else:
-            problems.append(ParameterProblem(field.name, f"must be {_NAMES[wanted]} (got {value!r})"))
-    try:
-        parameters = DemirCfParameters(**values)
-    except ParameterRangeError as error:
-        problems.extend(error.problems)
-    if problems:
-        raise ParameterRangeError(tuple(problems))
-    return parameters
-
-
-_NAMES: Dict[type, str] = {bool: "true or false", float: "a number", str: "a text"}
+    return read_fields(DemirCfParameters, given)
 
 
 def find_problems(given: Mapping[str, Any]) -> Tuple[ParameterProblem, ...]:
     """List everything that is wrong with a robot's parameters; empty if nothing is."""
-    try:
-        read_parameters(given)
-    except ParameterRangeError as error:
-        return error.problems
-    return ()
+    return wrong_parameters(lambda: read_parameters(given))
