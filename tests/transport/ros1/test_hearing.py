@@ -214,13 +214,21 @@ def test_publishers_that_disagree_about_a_topic_are_reported(node: PythonProcess
     )
 
 
-def test_what_a_callback_raises_ends_the_node(master: MasterProcess, stranger: PythonProcess) -> None:
+@pytest.mark.parametrize(
+    "failing",
+    [
+        "node.hear(lambda t, k: t == '/poison', lambda heard: 1 / 0)",
+        "node.hear(lambda t, k: t == '/fresh' and 1 / 0, print); node.advertise('/fresh', 'std_msgs/String')",
+    ],
+    ids=["told of a message", "asked what is wanted"],
+)
+def test_what_a_callback_raises_ends_the_node(master: MasterProcess, stranger: PythonProcess, failing: str) -> None:
     publish(stranger, "/poison", latch=True)
     stranger.do("pub.publish('x')")
     with PythonProcess(master.environment) as fragile:
         fragile.do(OURS + "node = RosNode.start('fragile', codec); ended = []")
         fragile.do("node.on_shutdown(lambda: ended.append(node.is_shut_down))")
-        fragile.do("node.hear(lambda t, k: t == '/poison', lambda heard: 1 / 0)")
+        fragile.do(failing)
         assert fragile.ask("raised(node.wait, 10)") == "ZeroDivisionError: division by zero"
         assert fragile.ask("ended") == [True]
 
@@ -237,6 +245,17 @@ def test_connection_that_breaks_is_made_again_while_its_publisher_is_there(
     assert stranger.ask("pub.get_num_connections()") == 0
     say(stranger, "after")
     node.until("len(broken) == 2")
+
+
+def test_topic_with_an_illegal_name_is_said_once_and_heard(node: PythonProcess, stranger: PythonProcess) -> None:
+    hear(node, "illegal", "/robot-1/pose")
+    stranger.do("import warnings; warnings.simplefilter('ignore')")
+    publish(stranger, "/robot-1/pose")
+    say(stranger, "meow")
+    node.until("illegal")
+    assert node.ask("[text for text in lines.texts if 'robot-1' in text]") == [
+        "topic='/robot-1/pose' is no name that ROS accepts; it is heard all the same"
+    ]
 
 
 def test_plugin_that_uses_rospy_by_itself_hears_as_ever(node: PythonProcess, stranger: PythonProcess) -> None:

@@ -101,6 +101,7 @@ class Ears:
         self._hearers: List[Hearer] = []
         self._version = 0
         self._known: Dict[Connection, Connection] = {}
+        self._texts: Dict[str, str] = {}
         self._subscribers: Dict[str, Any] = {}
         self._routes: Dict[str, Dict[_Route, None]] = {}
         self._topics: Mapping[str, str] = {}
@@ -248,6 +249,8 @@ class Ears:
                 definition = own.definition if own.md5 == md5 else ""
             except TransportError:
                 pass
+        # Every connection brings a text of its own, which may be long and is nearly always the same.
+        definition = self._texts.setdefault(definition, definition)
         made = Connection(
             topic, type_name, md5, definition, header.get("callerid", ""), header.get("latching", "0") == "1"
         )

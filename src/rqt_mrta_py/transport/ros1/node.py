@@ -66,7 +66,9 @@ class RosNode(Asking):
         )
         self._reader = Reader(self._ears.welcome)
         self._mouths = Mouths(codec, self.name, arguments)
-        self._watch = MasterWatch(Master(master.uri, self.name), self.name, self._ears.offer, self._master_changed)
+        self._watch = MasterWatch(
+            Master(master.uri, self.name), self.name, self._ears.offer, self._master_changed, self._failed
+        )
         self._rosout = RosoutHandler(self.name, self.now, self._mouths.publish)
 
     @classmethod

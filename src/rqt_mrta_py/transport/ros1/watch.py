@@ -38,6 +38,7 @@ class MasterWatch:
         node: resolved name of this node.
         on_topics: is told of the published topics with their types, whenever they are asked for.
         on_change: is told what became of the master.
+        on_failure: is told what one of these raised, which ends the watch.
     """
 
     def __init__(
@@ -46,11 +47,13 @@ class MasterWatch:
         node: str,
         on_topics: Callable[[Mapping[str, str]], None],
         on_change: Callable[[MasterChange], None],
+        on_failure: Callable[[Exception], None],
     ) -> None:
         self._master = master
         self._node = node
         self._on_topics = on_topics
         self._on_change = on_change
+        self._on_failure = on_failure
         self._due = threading.Event()
         self._ended = False
         self._lost = False
@@ -77,6 +80,12 @@ class MasterWatch:
         self._due.set()
 
     def _run(self) -> None:
+        try:
+            self._watch()
+        except Exception as error:  # noqa: BLE001 - a thread's end must not go unnoticed
+            self._on_failure(error)
+
+    def _watch(self) -> None:
         asked = float("-inf")
         while not self._ended:
             self._due.clear()
