@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import itertools
 import logging
 import math
 import threading
 import time
-from typing import Callable, Dict, Iterable, List, Optional, Sequence
+from collections import deque
+from typing import Callable, Deque, Dict, Iterable, List, Optional, Sequence
 
 from rqt_mrta_py.app.live.agent_side import AgentSide
 from rqt_mrta_py.app.live.hold_back import agent_node
 from rqt_mrta_py.app.live.tick_messages import DONE_TOPIC, DONE_TYPE, TICK_TOPIC, TickDone, TickNews
-from rqt_mrta_py.app.live.ways import Ways
+from rqt_mrta_py.app.live.ways import Ways, expanded
 from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.hooks import AnyOutgoing, OutgoingRows, Stamped
-from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN
 from rqt_mrta_py.transport.patterns import TopicPattern
 from rqt_mrta_py.transport.ros1 import RosNode
 
@@ -27,8 +26,8 @@ _LOOK = 0.1
 """How often a wait looks whether the node shall end [s]."""
 _PATIENCE = 3.0
 """How long what a manifest names may take to arrive in lock step [s]."""
-_MOST_TOPICS = 256
-"""How many topics a pattern may stand for that are subscribed to before anybody publishes them."""
+_MOST_BEHIND = 100
+"""From how many ticks behind on a robot leaves turns out instead of taking one after the other."""
 
 
 class AgentLoop:
@@ -50,8 +49,10 @@ class AgentLoop:
         self._ways = Ways(node, witnesses, ends)
         self._ends = ends
         self._changed = threading.Condition(node.lock)
-        self._news: Optional[TickNews] = None
+        self._news: Deque[TickNews] = deque()
+        self._turn: Optional[TickNews] = None
         self._began = 0.0
+        self._skipped = 0
         self._resolved: Dict[str, str] = {}
 
     def listen(self, team: Sequence[str], tasks: Sequence[str]) -> None:
@@ -67,7 +68,7 @@ class AgentLoop:
         unknown: List[TopicPattern] = []
         for topic in self._side.topics:
             pattern = TopicPattern(topic)
-            known.update(dict.fromkeys(_expanded(topic, team, tasks)))
+            known.update(dict.fromkeys(expanded(topic, team, tasks)))
             if not pattern.is_literal:
                 unknown.append(pattern)
         for topic in known:
@@ -88,13 +89,13 @@ class AgentLoop:
         """
         while not self._ends():
             with self._changed:
-                news = self._news
-                if news is None or not self._is_ready():
+                turn = self._turn or self._begin()
+                if turn is None or not self._is_ready():
                     self._changed.wait(_LOOK)
                     continue
-                self._news = None
+                self._turn = None
                 says = self._side.take_turn()
-            self._say(says, news)
+            self._say(says, turn)
 
     def run_by_the_clock(self, rate: int) -> None:
         """Take turns by ROS time, as on a robot, until the node shall end.
@@ -115,14 +116,22 @@ class AgentLoop:
 
     def _hear(self, stamped: Stamped) -> None:
         self._side.hear(stamped)
-        if self._news is not None and not self._side.missing:
+        if self._turn is not None and not self._side.missing:
             self._changed.notify_all()
 
     def _hear_tick(self, stamped: Stamped) -> None:
         news = TickNews.of(self._node.codec.decode(stamped.connection, stamped.raw))
-        if news.over:
-            return
-        side = self._side
+        if not news.over:
+            self._news.append(news)
+            self._changed.notify_all()
+
+    def _begin(self) -> Optional[TickNews]:
+        """Begin the next turn; None if there is none to take yet."""
+        if not self._news:
+            return None
+        if len(self._news) > _MOST_BEHIND:
+            self._skip()
+        news, side = self._news.popleft(), self._side
         if side.tick is not None and news.tick <= side.tick:
             _log.warning("robot=%s tick %d after tick %d: a mission begins anew", side.robot, news.tick, side.tick)
             side = self._side = self._make_side()
@@ -131,10 +140,19 @@ class AgentLoop:
                 f"{self._node.name}: in lock step the node of {side.robot} must be {agent_node(side.robot)}; "
                 "leave its name, and give the robot's namespace"
             )
-        self._news = news
+        self._turn = news
         self._began = time.monotonic()
         side.begin(news)
-        self._changed.notify_all()
+        return news
+
+    def _skip(self) -> None:
+        """Leave out turns, all but the newest."""
+        if not self._skipped:
+            _log.warning("robot=%s falls behind by %d ticks; turns are left out", self._side.robot, len(self._news))
+        self._skipped += len(self._news) - 1
+        newest = self._news.pop()
+        self._news.clear()
+        self._news.append(newest)
 
     def _is_ready(self) -> bool:
         missing = self._side.missing
@@ -147,10 +165,6 @@ class AgentLoop:
 
     def _say(self, says: Iterable[AnyOutgoing], news: TickNews) -> None:
         node = self._node
-        if not news.lock_step:
-            for said in says:
-                node.publish(said, news.stamp)
-            return
         topics: List[str] = []
         types: List[str] = []
         latched: List[bool] = []
@@ -162,21 +176,11 @@ class AgentLoop:
         self._ways.open(zip(topics, types, latched))
         for said in says:
             node.publish(said, news.stamp)
-        node.publish(TickDone(news.tick, self._side.robot, tuple(topics)).message(), news.stamp)
+        if news.lock_step:
+            node.publish(TickDone(news.tick, self._side.robot, tuple(topics)).message(), news.stamp)
 
     def _resolve(self, topic: str) -> str:
         resolved = self._resolved.get(topic)
         if resolved is None:
             resolved = self._resolved[topic] = self._node.resolve(topic)
         return resolved
-
-
-def _expanded(topic: str, team: Sequence[str], tasks: Sequence[str]) -> Sequence[str]:
-    """Give the topics that a pattern stands for, as far as robots and tasks are known; none if there are too many."""
-    robots = team if ROBOT_TOKEN in topic else ("",)
-    names = tasks if TASK_TOKEN in topic else ("",)
-    if topic == "*" or len(robots) * len(names) > _MOST_TOPICS:
-        return ()
-    return [
-        topic.replace(ROBOT_TOKEN, robot).replace(TASK_TOKEN, task) for robot, task in itertools.product(robots, names)
-    ]

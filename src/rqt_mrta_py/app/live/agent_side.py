@@ -119,7 +119,9 @@ class AgentSide:
         returns = self._is_stopped and not is_stopped
         turn: Sequence[Stamped]
         if self._hold_back is None:
-            turn = self._take_what_waits(returns)
+            turn = self._take_what_waits(clock.stamp_ns(tick))
+            if returns:
+                turn = ()
         else:
             heard = self._hold_back.take(clock.stamp_ns(tick - 1), clock.stamp_ns(tick))
             missed = () if returns else (*heard.agents, *heard.events)
@@ -136,7 +138,7 @@ class AgentSide:
         if self.tick is not None and tick <= self.tick:
             return ()
         self.tick = tick
-        return self._step(tick, now, self._take_what_waits(returns=False), stopped=False)
+        return self._step(tick, now, self._take_what_waits(round(now * 1e9)), stopped=False)
 
     def _by_own_clock(self, hear: Callable[[Heard], None]) -> Callable[[Heard], None]:
         def told(heard: Heard) -> None:
@@ -147,10 +149,12 @@ class AgentSide:
     def _hears(self, topic: str) -> bool:
         return any(pattern.match(topic) is not None for pattern in self._patterns)
 
-    def _take_what_waits(self, returns: bool) -> Sequence[Stamped]:
-        waiting = () if returns else tuple(self._waiting)
-        self._waiting.clear()
-        return waiting
+    def _take_what_waits(self, until_ns: int) -> Sequence[Stamped]:
+        """Take what had arrived by a time [ns]; what came later is heard in a later turn."""
+        waiting, taken = self._waiting, []
+        while waiting and waiting[0].receipt_ns <= until_ns:
+            taken.append(waiting.popleft())
+        return taken
 
     def _step(self, tick: int, now: float, turn: Sequence[Stamped], stopped: bool) -> Sequence[AnyOutgoing]:
         if stopped != self._is_stopped:

@@ -19,6 +19,8 @@ __all__ = ["SimulationLoop"]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
+_SUPERVISED = "/mrta/task_progress"
+"""Who supervises hears this, and only once it knows what."""
 _LOOK = 0.1
 """How often a wait looks whether the node shall end [s]."""
 _TELL = 5.0
@@ -40,7 +42,8 @@ class SimulationLoop:
         ends: tells whether the node shall end.
         lock_step: whether each tick waits for the agents.
         factor: how many times as fast as the wall clock; 0: as fast as it goes.
-        witnesses: nodes that are waited for before the first tick, and must miss nothing in lock step.
+        witnesses: nodes that hear everything, and must miss nothing in lock step.
+        awaited: supervisors that are waited for before the first tick, as are agents and witnesses.
     """
 
     def __init__(
@@ -52,12 +55,14 @@ class SimulationLoop:
         lock_step: bool,
         factor: float,
         witnesses: Sequence[str],
+        awaited: Sequence[str],
     ) -> None:
         self._node = node
         self._world = world
         self._lock_step = lock_step
         self._factor = factor
         self._witnesses = witnesses
+        self._awaited = awaited
         self._ends = ends
         self._turns = WorldTurns(world, lock_step)
         self._changed = threading.Condition(node.lock)
@@ -65,25 +70,31 @@ class SimulationLoop:
         self._gone: Dict[str, float] = {}
         self._told = 0.0
         node.advertise(TICK_TOPIC, TICK_TYPE)
+        node.advertise(_SUPERVISED, "rqt_mrta_py/TaskProgress")
         for topic in self._turns.command_topics:
             node.hear_topic(topic, self._hear)
         node.hear_topic(DONE_TOPIC, self._hear_done)
 
     def run(self) -> None:
-        """Wait for the agents, and let the mission pass until it is over or shall end."""
-        self._wait_for_agents()
+        """Say what the mission is, wait for the others, and let it pass until it is over or shall end."""
         world, node = self._world, self._node
+        with node.lock:
+            said, news = self._turns.open(0)
+        mission, *said = said
+        node.pass_on(mission)
+        self._wait_for_others()
         period = 0.0 if not self._factor else 1.0 / (world.scenario.control_rate * self._factor)
+        self._ways.open([(each.topic, each.type, each.latched) for each, _, _ in said])
         began = due = time.monotonic()
         behind = 0.0
         tick = 0
         for tick in range(world.last_tick + 1):
             if self._ends():
                 break
-            with node.lock:
-                said, news = self._turns.open(tick)
-            if self._lock_step:
-                self._ways.open([(each.topic, each.type, each.latched) for each, _, _ in said])
+            if tick:
+                with node.lock:
+                    said, news = self._turns.open(tick)
+            self._ways.open([(each.topic, each.type, each.latched) for each, _, _ in said])
             for stamped in said:
                 node.pass_on(stamped)
             node.publish(news.message(), news.stamp)
@@ -119,10 +130,11 @@ class SimulationLoop:
         self._turns.answer(TickDone.of(self._node.codec.decode(stamped.connection, stamped.raw)))
         self._changed.notify_all()
 
-    def _wait_for_agents(self) -> None:
-        wanted = {*map(agent_node, self._turns.robots), *self._witnesses}
+    def _wait_for_others(self) -> None:
+        agents, others = set(map(agent_node, self._turns.robots)), {*self._witnesses, *self._awaited}
         while not self._ends():
-            missing = wanted.difference(self._node.hearers(TICK_TOPIC))
+            missing = agents.difference(self._node.hearers(TICK_TOPIC))
+            missing |= others.difference(self._node.hearers(_SUPERVISED))
             if not missing:
                 return
             self._tell_of(missing)

@@ -1,20 +1,25 @@
-"""Ways onto topics that are open before anything is said on them: in lock step nothing may be lost."""
+"""Ways onto topics that are open before anything is said on them, so that nothing is lost at the beginning."""
 
 from __future__ import annotations
 
+import itertools
 import logging
 import time
-from typing import Callable, Collection, FrozenSet, Iterable, Protocol, Set, Tuple
+from typing import Callable, Collection, FrozenSet, Iterable, Protocol, Sequence, Set, Tuple
 
+from rqt_mrta_py.hooks import EVERYTHING
+from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN
 from rqt_mrta_py.transport.ros1.master import Graph
 
-__all__ = ["Opener", "Ways"]
+__all__ = ["Opener", "Ways", "expanded"]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
 _PATIENCE = 5.0
 """How long a subscriber may take to connect [s]."""
 
+_MOST_TOPICS = 256
+"""How many topics a pattern may stand for that are subscribed to before anybody publishes them."""
 _LOOK = 0.005
 """How often it is looked whether all are connected [s]."""
 
@@ -81,3 +86,23 @@ class Ways:
                 _log.warning("nobody waits any longer for: %s", ", ".join(missing))
                 return
             time.sleep(_LOOK)
+
+
+def expanded(topic: str, team: Sequence[str], tasks: Sequence[str]) -> Sequence[str]:
+    """Give the topics that a pattern stands for, as far as robots and tasks are known.
+
+    Args:
+        topic: resolved, perhaps with tokens.
+        team: ids of robots.
+        tasks: ids of tasks.
+
+    Returns:
+        The topics; none if there are too many, or the pattern means everything.
+    """
+    robots = team if ROBOT_TOKEN in topic else ("",)
+    names = tasks if TASK_TOKEN in topic else ("",)
+    if topic == EVERYTHING or len(robots) * len(names) > _MOST_TOPICS:
+        return ()
+    return [
+        topic.replace(ROBOT_TOKEN, robot).replace(TASK_TOKEN, task) for robot, task in itertools.product(robots, names)
+    ]

@@ -39,7 +39,7 @@ def _work(node: RosNode, host: Host, ending: Ending) -> None:
     duration = reader.number("duration")
     factor = reader.number("rate_factor")
     lock_step = reader.truth("lock_step", default=False)
-    witnesses = reader.texts("witnesses")
+    witnesses, awaited = reader.texts("witnesses"), reader.texts("awaited")
     parameters = reader.text("parameters")
     reader.check()
     if not node.parameter("/use_sim_time", False):
@@ -51,7 +51,13 @@ def _work(node: RosNode, host: Host, ending: Ending) -> None:
     try:
         pace = (0.0 if lock_step else 1.0) if factor is None else factor
         simulation = SimulationLoop(
-            node, world, lambda: ending.wait(0.0), lock_step=lock_step, factor=pace, witnesses=witnesses
+            node,
+            world,
+            lambda: ending.wait(0.0),
+            lock_step=lock_step,
+            factor=pace,
+            witnesses=witnesses,
+            awaited=awaited,
         )
         with rare_collections():
             simulation.run()
