@@ -79,7 +79,7 @@ def catkin_make(folder: Path, prefix: str = "") -> Workspace:
         folder: the workspace.
         prefix: an install space to build upon.
     """
-    settings = [f"-DPYTHON_EXECUTABLE={_python(folder)}", f"-DCMAKE_INSTALL_PREFIX={folder}/install"]
+    settings = [f"-DPYTHON_EXECUTABLE={python_without_blanks(folder)}", f"-DCMAKE_INSTALL_PREFIX={folder}/install"]
     done = subprocess.run(
         ["catkin_make", "-C", str(folder), *settings, "install"],
         env=clean_environment(PATH=PATH, CMAKE_PREFIX_PATH=prefix, ROS_LANG_DISABLE="gencpp:genlisp"),
@@ -92,7 +92,7 @@ def catkin_make(folder: Path, prefix: str = "") -> Workspace:
     return Workspace(folder, done.stdout + done.stderr)
 
 
-def _python(folder: Path) -> Path:
+def python_without_blanks(folder: Path) -> Path:
     """Give the interpreter by a path without blanks, which catkin's scripts do not bear."""
     python = Path(sys.executable)
     if not any(character.isspace() for character in str(python)):

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import socket
 from pathlib import Path
-from typing import Dict
+from typing import Dict, Set, Tuple
 from xml.etree import ElementTree
 
 import pytest
@@ -27,6 +28,15 @@ PLUGINS = {
     "nearest_robot",
     "team_measures",
 }
+ARCHITECTURES = {"mrta_alliance", "mrta_baselines", "mrta_demir_cf", "mrta_l_alliance", "nearest_robot"}
+PROGRAMS = {"mrta", "recorder", "review", "robot_agent", "simulation", "supervisor"}
+COMPLETE = """\
+source /usr/share/bash-completion/completions/rosbash
+COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMP_LINE="$*"; COMP_POINT=${#COMP_LINE}
+$(complete -p "$1" | sed -E 's/.*-F "?([A-Za-z_]+)"?.*/\\1/') "$1" "${@: -1}" ""
+printf '%s\\n' "${COMPREPLY[@]}"
+"""
+"""Presses the tabulator behind its arguments."""
 SAME = ("mission.bag", "summary.json", "events.jsonl", "incidents.jsonl")
 
 
@@ -60,7 +70,7 @@ def test_rospack_finds_every_package(space: Space) -> None:
 @pytest.mark.parametrize(
     ("attribute", "names"),
     [
-        ("architecture", {"mrta_alliance", "mrta_baselines", "mrta_demir_cf", "mrta_l_alliance", "nearest_robot"}),
+        ("architecture", ARCHITECTURES),
         ("application", {"border_patrol", "cleanup", "target_visiting"}),
         ("plugin", PLUGINS),
     ],
@@ -88,6 +98,68 @@ def test_message_classes_of_every_package_are_imported(space: Space, tree: Path)
 
 def test_rosmsg_shows_a_plugins_message(space: Space) -> None:
     assert "float64[] costs" in space.run("rosmsg", "show", "nearest_robot_msgs/Bid")
+
+
+def test_service_classes_are_imported_and_shown(space: Space, tree: Path) -> None:
+    names = sorted(path.stem for path in tree.glob("srv/*.srv"))
+    assert len(names) >= 6
+    script = "import sys, rqt_mrta_py.srv as srv; print(*[hasattr(srv, name) for name in sys.argv[1:]])"
+    assert set(space.run("/usr/bin/python3", "-c", script, *names).split()) == {"True"}
+    assert "rqt_mrta_py/TeamState state" in space.run("rossrv", "show", "rqt_mrta_py/GetState")
+    assert space.run("rossrv", "package", "rqt_mrta_py").split() == [f"rqt_mrta_py/{name}" for name in names]
+
+
+def test_rosrun_finds_every_program(space: Space) -> None:
+    wanted = [("rqt_mrta_py", name) for name in sorted(PROGRAMS)] + [(name, "agent") for name in sorted(ARCHITECTURES)]
+    script = 'while [ $# -gt 0 ]; do rosrun --prefix echo "$1" "$2"; shift 2; done'
+    arguments = [word for pair in wanted for word in pair]
+    found = [Path(line.split()[-1]) for line in space.run("/bin/sh", "-c", script, "sh", *arguments).splitlines()]
+    assert [path.name for path in found] == [name for _, name in wanted]
+    assert [path for path in found if not os.access(path, os.X_OK)] == []
+
+
+def test_a_node_of_the_space_runs(space: Space) -> None:
+    done = space.finished("rosrun", "rqt_mrta_py", "review", "_bag:=nowhere.bag")
+    assert done.returncode == 3, done.stderr
+    assert "nowhere.bag: no such file" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "among"),
+    [
+        (("roslaunch", "rqt_mrta_p"), {"rqt_mrta_py"}),
+        (("roslaunch", "border_p"), {"border_patrol"}),
+        (("roslaunch", "rqt_mrta_py", "superv"), {"supervisor.launch"}),
+        (("roslaunch", "border_patrol", ""), {"team.launch"}),
+        (("roslaunch", "rqt_mrta_py", "supervisor.launch", ""), {"architecture", "record", "topics"}),
+        (("rosrun", "rqt_mrta_py", "superv"), {"supervisor"}),
+        (("rosrun", "mrta_alliance", "a"), {"agent"}),
+        (("rosmsg", "show", "demir_cf_m"), {"demir_cf_msgs/Bid"}),
+        (("rossrv", "show", "rqt_mrta_py/"), {"rqt_mrta_py/GetState"}),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, tuple) else "",
+)
+def test_the_tabulator_completes_what_is_ours(space: Space, words: Tuple[str, ...], among: Set[str]) -> None:
+    if not Path("/usr/share/bash-completion/completions/rosbash").exists():
+        pytest.skip("rosbash has no completions here")
+    assert among <= set(space.run("bash", "-c", COMPLETE, "bash", *words).split())
+
+
+def test_configurations_are_in_the_space(space: Space) -> None:
+    package = Path(space.run("rospack", "find", "rqt_mrta_py").strip())
+    assert (package / "config" / "rviz" / "team.rviz").is_file()
+    assert (package / "config" / "diagnostic_aggregator.yaml").is_file()
+
+
+def test_roslaunch_runs_a_team_of_nodes(space: Space, tmp_path: Path) -> None:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = str(probe.getsockname()[1])
+    options = ["robots:=1", "duration:=2", "factor:=0", "pictures:=0", f"out:={tmp_path / 'run'}"]
+    done = space.finished("roslaunch", "-p", port, "border_patrol", "team.launch", *options)
+    assert "finished cleanly" in done.stdout + done.stderr, done.stdout + done.stderr
+    summary = json.loads((tmp_path / "run" / "summary.json").read_text(encoding="utf-8"))
+    assert [robot["id"] for robot in summary["robots"]] == ["robot1"]
 
 
 def test_mrta_lists_every_plugin_of_the_space(space: Space) -> None:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
 
 from tests.app.cli.conftest import Command
-from tests.app.doctor.conftest import TASKS, Workspace, workspace
+from tests.app.doctor.conftest import TASKS, Workspace, manifest, workspace
 
 __all__ = ["workspace"]
 
@@ -62,6 +63,7 @@ def test_one_package_is_examined_by_name_folder_or_manifest(
             }
         ],
         "problems": [],
+        "notes": [],
     }
 
 
@@ -123,3 +125,28 @@ def test_equal_workspaces_are_told_in_equal_words(command: Command, workspace: W
     second = command("doctor", str(workspace.folder / "auction"), str(workspace.folder / "yard"))
     assert first.status == 1
     assert first.out == second.out
+
+
+ORIGINALS = {
+    "alliance": ("alliance_msgs",),
+    "alliance_msgs": (),
+    "rqt_mrta": ("alliance_msgs",),
+}
+
+
+def test_with_the_original_packages_everything_works_and_doctor_tells_which_of_ours_stand_back(
+    workspace: Workspace, root: Path, command: Command
+) -> None:
+    shutil.copytree(root / "plugins/messages/alliance_msgs/msg", workspace.folder / "alliance_msgs" / "msg")
+    for name, depends in ORIGINALS.items():
+        workspace.write(f"{name}/package.xml", manifest(name, *depends, tag=""))
+        workspace.write(f"{name}/CMakeLists.txt", f"cmake_minimum_required(VERSION 3.5)\nproject({name})\n")
+    told = command("doctor", "--json", "alliance", "alliance_msgs", "rqt_mrta", "mrta_alliance")
+    document = json.loads(told.out)
+    assert (told.status, document["problems"]) == (0, [])
+    own = f"is used; this project's own, in {root}/plugins"
+    assert [(note["element"], note["message"]) for note in document["notes"]] == [
+        ("alliance_msgs", f"{own}/messages/alliance_msgs, stands back"),
+        ("rqt_mrta", f"{own}/stubs/rqt_mrta, stands back"),
+    ]
+    assert command("run", "border_patrol", "--duration", "1", "--pictures", "0", "-q").status == 0

@@ -45,11 +45,14 @@ def main(options: argparse.Namespace) -> int:
                 }
                 for subject in found.subjects
             ]
-            print_json("doctor", {"subjects": subjects, "problems": [_as_json(problem) for problem in told]})
+            document = {"subjects": subjects, "problems": [_as_json(problem) for problem in told]}
+            print_json("doctor", {**document, "notes": [_as_json(note) for note in found.notes]})
         else:
             for problem in told:
                 print(problem)
     if not options.quiet:
+        for note in map(_shown, found.notes):
+            print(f"mrta: {note}", file=sys.stderr)
         print(f"mrta: {_count(problems)} in {len(found.subjects)} {_plural(found.subjects)}", file=sys.stderr)
     return 1 if problems else 0
 

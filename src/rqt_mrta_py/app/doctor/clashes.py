@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Dict, Iterator, List, Set
+from typing import Dict, Iterator, List, Set, Tuple
 
 from rqt_mrta_py.app.doctor.subject import Subject
 from rqt_mrta_py.config.discovery.manifest import HOSTS, MANIFEST, ROSBUILD_MANIFEST, read_manifest
+from rqt_mrta_py.config.discovery.registration import Registry
 from rqt_mrta_py.config.discovery.search import own_packages
 from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.config.xml.text import line_of
 from rqt_mrta_py.errors import ConfigError, Problem
 
-__all__ = ["ORIGINALS", "check_clashes"]
+__all__ = ["ORIGINALS", "check_clashes", "standing_back"]
 
 ORIGINALS = (
     *("alliance", "alliance_msgs", "alliance_test", "rqt_alliance", "rqt_mrta"),
@@ -44,6 +45,27 @@ def check_clashes(subject: Subject) -> Iterator[Problem]:
     for folder in hidden:
         if subject.folder in (winner, folder) and not (subject.name == _STUB and _is_ours(folder)):
             yield from _clash(subject, winner, folder)
+
+
+def standing_back(registry: Registry) -> Tuple[Problem, ...]:
+    """Tell which packages of this project give way to others of their names, as they should.
+
+    Args:
+        registry: what is found, and what is hidden.
+
+    Returns:
+        A note for each, with the package's name as its element; sorted.
+    """
+    own = [os.path.realpath(each) for each in own_packages()]
+    notes = []
+    for name, folder in registry.shadowed:
+        winner = registry.packages.get(name)
+        is_own = any(os.path.realpath(folder).startswith(f"{each}{os.sep}") for each in own)
+        if winner is not None and is_own and not _is_ours(winner):
+            notes.append(
+                Problem(str(_manifest(winner)), 0, name, f"is used; this project's own, in {folder}, stands back")
+            )
+    return tuple(sorted(set(notes)))
 
 
 def _taken_name(subject: Subject) -> Iterator[Problem]:

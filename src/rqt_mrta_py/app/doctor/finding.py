@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Dict, Iterator, List, Mapping, NamedTuple, Sequence, Tuple
 
 from rqt_mrta_py.app.compose import Host, compose
+from rqt_mrta_py.app.doctor.clashes import standing_back
 from rqt_mrta_py.app.doctor.subject import Subject
 from rqt_mrta_py.config.discovery.manifest import HOSTS, MANIFEST, ROSBUILD_MANIFEST, read_manifest
 from rqt_mrta_py.config.discovery.search import discover, own_packages
@@ -28,10 +29,12 @@ class Found(NamedTuple):
     Attributes:
         subjects: each package once, by folder.
         problems: of manifests that name no package.
+        notes: what is well, and yet to be known.
     """
 
     subjects: Tuple[Subject, ...]
     problems: Tuple[Problem, ...]
+    notes: Tuple[Problem, ...] = ()
 
 
 def find_subjects(names: Sequence[str], environ: Mapping[str, str]) -> Found:
@@ -60,7 +63,9 @@ def find_subjects(names: Sequence[str], environ: Mapping[str, str]) -> Found:
         for problem in registry.problems
         if problem.path not in told and (not names or any(_is_below(Path(problem.path), each) for each in places))
     )
-    return Found(tuple(subjects.values()), problems)
+    meant = {subject.name for subject in subjects.values()}
+    notes = tuple(note for note in standing_back(registry) if not names or note.element in meant)
+    return Found(tuple(subjects.values()), problems, notes)
 
 
 def _places(names: Sequence[str], environ: Mapping[str, str]) -> List[Path]:
