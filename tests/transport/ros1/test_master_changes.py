@@ -73,6 +73,15 @@ def test_node_waits_for_a_master_and_lives_through_its_restart(
     assert lonely.ask("heard") == [{"data": "before"}, {"data": "meanwhile"}, {"data": "after"}]
 
 
+def test_master_that_was_only_out_of_reach_is_found_again(node: PythonProcess) -> None:
+    node.do("outages = []; node.on_master(outages.append); watched = node._watch._master; ask = watched.ask")
+    node.do("def silent(*_): raise TransportError('no ROS master answers')")
+    node.do("watched.ask = silent")
+    node.until("outages == [MasterChange.LOST]")
+    node.do("watched.ask = ask")
+    node.until("outages == [MasterChange.LOST, MasterChange.FOUND]")
+
+
 @pytest.mark.parametrize("way", ["SIGINT", "rosnode kill"])
 def test_node_ends_within_a_second(own_master: MasterProcess, lonely: PythonProcess, way: str) -> None:
     own_master.start()
