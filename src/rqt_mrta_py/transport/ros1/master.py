@@ -58,13 +58,19 @@ class Master:
     Attributes:
         uri: see above.
         caller: see above.
+
+    Raises:
+        TransportError: there can be no master at such a place.
     """
 
     def __init__(self, uri: str, caller: str) -> None:
         self.uri = uri
         self.caller = caller
         self._lock = threading.Lock()
-        self._proxy = xmlrpc.client.ServerProxy(uri, transport=_PatientTransport(_PATIENCE))
+        try:
+            self._proxy = xmlrpc.client.ServerProxy(uri, transport=_PatientTransport(_PATIENCE))
+        except OSError as error:
+            raise TransportError(f"ROS_MASTER_URI {uri!r}: {error}; accepted is http://host:port") from error
 
     def ask(self, method: str, *arguments: Any) -> Tuple[bool, str, Any]:
         """Call a method of the master's API.
