@@ -13,9 +13,12 @@ from typing import Dict, List, Mapping, Optional, Sequence
 from rqt_mrta_py.app.guard import GuardedMeasure, GuardedPanel, made
 from rqt_mrta_py.app.observers import observers_of
 from rqt_mrta_py.hooks import (
+    EVERYTHING,
     AllocationInterpreter,
     AllocationInterpreterFactory,
     Codec,
+    Connection,
+    FieldReader,
     InterpreterSetup,
     Listener,
     MeasureFactory,
@@ -33,6 +36,7 @@ from rqt_mrta_py.model import Event, Mission, MissionRecord
 from rqt_mrta_py.render import SceneTracker
 from rqt_mrta_py.supervisor import Supervisor, team_news
 from rqt_mrta_py.transport import Batch, Dispatcher
+from rqt_mrta_py.transport.patterns import TopicPattern
 from rqt_mrta_py.wording import accepted
 
 __all__ = ["CURVE_WINDOW", "Observation", "interpreter_for", "measures_for", "with_measures"]
@@ -59,6 +63,9 @@ class Observation:
         manager: PluginManager,
         duration: Optional[float],
         further: Sequence[Listener] = (),
+        *,
+        panels: bool = True,
+        measures: bool = True,
     ) -> None:
         """Wire supervisor, scene, panels, measures and observers.
 
@@ -68,8 +75,11 @@ class Observation:
             manager: plugins, loaded.
             duration: planned, of the whole mission [s]; None if unknown.
             further: who else hears the stream.
+            panels: whether pictures shall show curves, for which much must be read that nobody else wants.
+            measures: whether the finished mission is to be measured; likewise.
         """
         self.mission = mission
+        self._codec = codec
         self._duration = duration
         self._manager = manager
         self.supervisor = Supervisor(
@@ -81,14 +91,15 @@ class Observation:
         )
         models: Mapping[str, RobotModel] = manager.registered("mrta_register_robot_models")
         self._scene = SceneTracker(mission, models)
-        self._panels = _panels(mission, manager)
-        self._measures = measures_for(mission, manager)
+        self._panels = _panels(mission, manager) if panels else []
+        self._measures = measures_for(mission, manager) if measures else {}
         self._dispatcher = Dispatcher(codec, self.supervisor.report)
         self._dispatcher.watch(self.supervisor.sighting)
         wishes: List[Subscription] = []
         for subscription, callback in self.supervisor.listeners():
             self._dispatcher.subscribe(subscription, callback)
             wishes.append(subscription)
+        self._read = tuple((TopicPattern(wish.topic), wish) for wish in wishes if wish.topic != EVERYTHING)
         heard_by: List[Listener] = [self._scene, *self._panels, *self._measures.values()]
         listeners = [*heard_by, *further, *observers_of(mission, manager)]
         for listener in listeners:
@@ -101,6 +112,35 @@ class Observation:
     def feed(self, stamped: Stamped) -> None:
         """Take in the next message of the stream."""
         self._dispatcher.feed(stamped)
+
+    def feed_all(self, messages: Sequence[Stamped]) -> None:
+        """Take in the next messages of the stream, whenever each was received; whatever they say may wait for its end.
+
+        Args:
+            messages: at least one, none of which says to the supervisor what the one before it did not say.
+        """
+        self._dispatcher.feed_all(messages, self.supervisor.is_quiet_until, self.supervisor.sight_together)
+
+    def statements(self, connection: Connection) -> Optional[FieldReader]:
+        """Give what reads from a connection's messages all that the supervisor looks at but when they were sent.
+
+        A message that says what the one before it said, while nothing has changed, prolongs what is so already, and
+        no more.
+
+        Args:
+            connection: whose.
+
+        Returns:
+            The reader; None where the supervisor looks at nothing, so that only the coming of messages tells anything.
+
+        Raises:
+            TransportError: the connection's definition has not what is to be read.
+        """
+        wishes = [wish for pattern, wish in self._read if pattern.match(connection.topic) is not None]
+        if not wishes:
+            return None
+        paths = dict.fromkeys(path for wish in wishes for path in wish.fields if path.split("/")[-1] != "stamp")
+        return self._codec.compile(connection, tuple(paths))
 
     def feed_batch(self, batch: Batch) -> None:
         """Take in the next messages of the stream."""

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from typing import Callable, List, Optional, Sequence, Tuple
 
-from rqt_mrta_py.hooks import AllocationInterpreter, AllocationSign, Connection, Heard, Sighting, Subscription
+from rqt_mrta_py.hooks import (
+    AllocationInterpreter,
+    AllocationSign,
+    Connection,
+    Heard,
+    Sighting,
+    Stamped,
+    Subscription,
+)
 from rqt_mrta_py.model import Progress, RobotState, normalise_id
 from rqt_mrta_py.supervisor.failures import checked, failure
 from rqt_mrta_py.supervisor.message_key import MessageKey, key_of
@@ -51,6 +59,10 @@ class Ears:
     def sighting(self, connections: Sequence[Connection]) -> Sighting:
         """Give who is told first of all messages of connections: time passes, and their robots count as heard."""
         return self._sightings.of(connections)
+
+    def sight_together(self, messages: Sequence[Stamped], ordinals: Sequence[int]) -> None:
+        """Take in that messages came, where nothing follows from any but the last of each robot."""
+        self._sightings.together(messages, ordinals)
 
     def listeners(self) -> List[Tuple[Subscription, Callback]]:
         """Say what to hear, and who hears it, in the order in which one message shall be taken in."""

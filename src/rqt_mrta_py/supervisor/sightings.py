@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from itertools import repeat
-from typing import Callable, Optional, Sequence
+from typing import Callable, Dict, Optional, Sequence, Tuple
 
-from rqt_mrta_py.hooks import Connection, Sighting
+from rqt_mrta_py.hooks import Connection, Sighting, Stamped
 from rqt_mrta_py.supervisor.message_key import MessageKey
 from rqt_mrta_py.supervisor.presence import Presence
 from rqt_mrta_py.supervisor.robots import RobotWatch
@@ -27,6 +27,8 @@ class Sightings:
         self._team = team
         self._presence = presence
         self._enter = enter
+        self._owners: Dict[int, Optional[RobotWatch]] = {}
+        self._known = -1
 
     def of(self, connections: Sequence[Connection]) -> Sighting:
         """Give who is told of the messages of some connections, where one of each comes at one moment.
@@ -35,6 +37,33 @@ class Sightings:
             connections: one or more.
         """
         return self._of_one(connections[0]) if len(connections) == 1 else self._of_several(connections)
+
+    def together(self, messages: Sequence[Stamped], ordinals: Sequence[int]) -> None:
+        """Take in that messages came, while all robots are heard, nothing is to be settled and nothing falls due.
+
+        Of each robot only its last one counts then.
+
+        Args:
+            messages: in order; their connections live as long as this.
+            ordinals: of each.
+        """
+        team = self._team
+        if len(team.robots) != self._known:
+            self._known = len(team.robots)
+            self._owners.clear()
+        owners = self._owners
+        last: Dict[RobotWatch, Tuple[Stamped, int]] = {}
+        for stamped, ordinal in zip(messages, ordinals):
+            connection = stamped[0]
+            try:
+                robot = owners[id(connection)]
+            except KeyError:
+                robot = owners[id(connection)] = self._presence.owner(connection)
+            if robot is not None:
+                last[robot] = (stamped, ordinal)
+        for robot, ((connection, receipt_ns, _), ordinal) in last.items():
+            robot.heard_at = receipt_ns / 1_000_000_000
+            robot.last_message = (connection.topic, robot.heard_at, ordinal)
 
     # Nearly all messages of a mission end in one of these two, and nearly always time stands still and nothing waits
     # for them.

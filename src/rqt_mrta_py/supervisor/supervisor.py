@@ -18,6 +18,7 @@ from rqt_mrta_py.hooks import (
     RobotStateChanged,
     RuleSetup,
     Sighting,
+    Stamped,
     Statistic,
     Subscription,
     TaskStateChanged,
@@ -78,6 +79,7 @@ class Supervisor:
         self._events: List[Event] = []
         # Built only if somebody asks: a review publishes nothing.
         self._news: List[Callable[[], Tuple[Outgoing, ...]]] = []
+        self._changes = 0
         self._unreadable: Set[Tuple[str, str]] = set()
         self._finished: Optional[MissionRecord] = None
 
@@ -132,6 +134,11 @@ class Supervisor:
         return self._describe(team, end, events)
 
     @property
+    def changes(self) -> int:
+        """How often anything has changed that is derived here."""
+        return self._changes
+
+    @property
     def has_news(self) -> bool:
         """Whether there is something to say since ``news`` was last asked."""
         return bool(self._news)
@@ -145,6 +152,32 @@ class Supervisor:
     def robots(self) -> Sequence[str]:
         """Ids of the robots that are watched, in order; more may be admitted by first sight."""
         return tuple(self._team.robots) or tuple(robot.id for robot in self._mission.application.robots)
+
+    def is_quiet_until(self, until: float) -> bool:
+        """Tell whether up to a time [s] nothing follows from hearing robots but that they were heard."""
+        if self._start is None or self.next_due < until:
+            return False
+        book = self._team.book
+        return not (book.unsettled or book.expired or any(robot.silent for robot in self._team.robots.values()))
+
+    def sight_together(self, messages: Sequence[Stamped], ordinals: Sequence[int]) -> None:
+        """Take in that messages came, as sightings do one by one; only while it is quiet until the last of them.
+
+        Args:
+            messages: in order, their connections as told to ``sighting``.
+            ordinals: of each.
+        """
+        self._ears.sight_together(messages, ordinals)
+        connection, receipt_ns, _ = messages[-1]
+        receipt = receipt_ns / 1_000_000_000
+        self._message = (connection.topic, receipt, ordinals[-1])
+        if receipt > self._team.now:
+            self._team.now = self._time_of_fact = receipt
+
+    @property
+    def next_due(self) -> float:
+        """When something happens without a message [s]; infinity if nothing will, before the stream has begun too."""
+        return min(self._team.agenda.next, self._desk.next_wake)
 
     def settle(self) -> None:
         """Draw now, rather than with the next message, what conclusions everybody's hearing of a message allows."""
@@ -227,6 +260,7 @@ class Supervisor:
         return hear
 
     def _on_fact(self, fact: Fact, why: str) -> None:
+        self._changes += 1
         robot = self._team.robots.get(getattr(fact, "robot", ""))
         last_heard = robot.last_heard if isinstance(fact, RobotStateChanged) and robot is not None else None
         holders = self._team.book.holders(fact.task) if isinstance(fact, TaskStateChanged) else ()

@@ -84,6 +84,32 @@ class Dispatcher:
         connection, receipt_ns, raw = stamped
         self._take(self._by_identity.get(id(connection)) or self._route(connection), receipt_ns / 1_000_000_000, raw)
 
+    def feed_all(
+        self,
+        messages: Sequence[Stamped],
+        quiet: Callable[[float], bool],
+        together: Callable[[Sequence[Stamped], Sequence[int]], None],
+    ) -> None:
+        """Hand messages to everybody who wants them, one after another, whenever each was received.
+
+        Args:
+            messages: the next ones of the stream, at least one.
+            quiet: says whether up to a receipt [s] it is the same to all who watch to be told one by one or together.
+            together: is told then, instead of those who watch, that all of them came, each with its ordinal; after
+                everybody has heard them.
+        """
+        find, route_of = self._by_identity.get, self._route
+        routes = [find(id(stamped[0])) or route_of(stamped[0]) for stamped in messages]
+        if not quiet(messages[-1].receipt_ns / 1_000_000_000):
+            for route, (_, receipt_ns, raw) in zip(routes, messages):
+                self._take(route, receipt_ns / 1_000_000_000, raw)
+            return
+        ordinals = [next(route.ordinals) for route in routes]
+        for route, ordinal, (_, receipt_ns, raw) in zip(routes, ordinals, messages):
+            if route.met or route.complaints:
+                self._hear(route, receipt_ns / 1_000_000_000, ordinal, raw)
+        together(messages, ordinals)
+
     def feed_batch(self, batch: Batch) -> None:
         """Hand messages to everybody who wants them, one after another.
 
@@ -114,6 +140,13 @@ class Dispatcher:
             self._complain_first(route, receipt, ordinal)
         for sight in route.sightings:
             sight(receipt, (ordinal,))
+        if route.met:
+            self._hand_on(route, receipt, ordinal, raw)
+
+    def _hear(self, route: Route, receipt: float, ordinal: int, raw: bytes) -> None:
+        """Hand on one message of which those who watch are told at another time."""
+        if route.complaints:
+            self._complain_first(route, receipt, ordinal)
         if route.met:
             self._hand_on(route, receipt, ordinal, raw)
 

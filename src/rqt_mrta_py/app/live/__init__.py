@@ -1,6 +1,7 @@
 """What nodes are made of: supervision, agents and worlds on a live graph.
 
 * ``live_supervisor``: hears the stream, says what is new, records, draws; ``supervisor_services``: what it is asked
+* ``intake``: which messages are taken in at once; ``live_pictures``: pictures at a period
 * ``options``: its private parameters; ``interest``: which topics it hears; ``stream_clock``: its times of receipt
 * ``recording``: into a bag, beside the stream; ``ring_buffer``, ``snapshots``: the last seconds, when they matter
 * ``drawing``: pictures in another process; ``health``: how the supervisor itself is

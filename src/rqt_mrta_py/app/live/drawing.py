@@ -12,7 +12,7 @@ import threading
 import time
 from concurrent.futures import Future, ThreadPoolExecutor
 from enum import Enum
-from typing import IO, Any, Optional, Tuple, cast
+from typing import IO, Any, Callable, Dict, Optional, Tuple, cast
 
 from rqt_mrta_py.errors import MrtaError, RenderError
 from rqt_mrta_py.hooks import MonitorView
@@ -126,7 +126,7 @@ def serve_drawings() -> None:
     # Whatever else is printed must not get among the pictures.
     sys.stdout = sys.stderr
     renderer: Any = None
-    encoders = {PictureFormat.JPEG.value: JpegSeries(), PictureFormat.PNG.value: png}
+    encoders: Dict[str, Callable[[Any], bytes]] = {PictureFormat.JPEG.value: JpegSeries(), PictureFormat.PNG.value: png}
     while True:
         try:
             request = _read(asked)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
-from typing import Collection, Sequence, Tuple
+from typing import Collection, List, Sequence, Tuple
 
 from rqt_mrta_py.app.run.watch import SUPERVISOR_TOPICS
 from rqt_mrta_py.hooks import EVERYTHING, Subscription
@@ -43,7 +43,8 @@ class TopicChoice:
     @classmethod
     def of(cls, patterns: Sequence[str]) -> TopicChoice:
         """Read patterns; those that begin with ``!`` leave topics out. A slash in front need not be written."""
-        named, left_out = [], []
+        named: List[str] = []
+        left_out: List[str] = []
         for pattern in patterns:
             (left_out if pattern.startswith("!") else named).append(_rooted(pattern.lstrip("!")))
         return cls(tuple(named), tuple(left_out))

@@ -9,16 +9,17 @@ from __future__ import annotations
 import logging
 import threading
 import time
-from concurrent.futures import Future
 from itertools import count
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Mapping, Optional, Set, Tuple
+from typing import Any, Dict, List, Mapping, Optional, Set, Tuple
 
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.interrupt import Interrupt
-from rqt_mrta_py.app.live.drawing import Drawing, PictureFormat
+from rqt_mrta_py.app.live.drawing import Drawing
 from rqt_mrta_py.app.live.health import DIAGNOSTICS_TOPIC, Counts, Waits, diagnostics, memory_in_use
+from rqt_mrta_py.app.live.intake import Intake
 from rqt_mrta_py.app.live.interest import Interest
+from rqt_mrta_py.app.live.live_pictures import LivePictures
 from rqt_mrta_py.app.live.options import LiveOptions
 from rqt_mrta_py.app.live.recording import Recording, free_bag
 from rqt_mrta_py.app.live.ring_buffer import RingBuffer
@@ -33,8 +34,8 @@ from rqt_mrta_py.errors import MrtaError, UsageError
 from rqt_mrta_py.hooks import Connection, MonitorView, Outgoing, Stamped
 from rqt_mrta_py.model import Mission, MissionRecord, Severity
 from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
-from rqt_mrta_py.transport.ros1.node import RosNode
-from rqt_mrta_py.transport.ros1.watch import MasterChange
+from rqt_mrta_py.supervisor import team_news
+from rqt_mrta_py.transport.ros1 import MasterChange, RosNode
 
 __all__ = ["LiveSupervisor"]
 
@@ -43,10 +44,10 @@ _log = logging.getLogger("rqt_mrta_py.app")
 _NS = 1_000_000_000
 _TICK = 0.05
 """How often what falls due without a message is looked for, on the wall [s]."""
+_CATCH_UP = 4
+"""With each so manieth look what waits is taken in, though nothing is due."""
 _STATE_PERIOD = 1.0
 """How often team, markers and health are told, on the wall [s]."""
-_MOST_EARLY = 10_000
-"""How many messages wait for the first time of a simulated clock."""
 
 _PUBLISHED: Mapping[str, Tuple[str, bool]] = {
     "/mrta/allocation": ("rqt_mrta_py/Allocation", False),
@@ -85,26 +86,25 @@ class LiveSupervisor:
         self._options = options
         self._clock = StreamClock(node.now)
         self._interest: Optional[Interest] = None
-        self._sinks: Tuple[Callable[[Stamped], None], ...] = ()
+        self._intake: Optional[Intake] = None
         self._ring: Optional[RingBuffer] = None
         if options.snapshot_seconds > 0 and options.snapshot_bytes > 0:
             self._ring = RingBuffer(options.snapshot_seconds, options.snapshot_bytes)
         self._snapshots = Snapshots(options.snapshots)
         self._recording: Optional[Recording] = None
         self._drawing = Drawing()
+        self._pictures = LivePictures(self._drawing, options.pictures, node.lock, self._say)
         self._folder: Optional[OutputFolder] = None
         self._stopwatch = Stopwatch()
-        self._early: List[Stamped] = []
         self._connections: Dict[str, Tuple[Connection, Any]] = {}
         self._open_incidents: Dict[object, Mapping[str, Any]] = {}
         self._error: Optional[str] = None
         self._robots: Set[str] = set()
         self._topics: Set[str] = set()
-        self._heard = self._misfits = self._master_lost = self._undrawn = 0
+        self._misfits = self._master_lost = 0
         self._wrong_parameters = wrong_parameters
-        self._waits, self._before, self._told_at = Waits(), Counts(), time.monotonic()
-        self._picture_due = 0
-        self._picture_failed = ""
+        self._delays, self._before, self._told_at = Waits(), Counts(), time.monotonic()
+        self._ticks = 0
         self._closed = False
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._run, name="supervising", daemon=True)
@@ -134,8 +134,14 @@ class LiveSupervisor:
 
     @property
     def now(self) -> float:
-        """The present time of the stream [s]; under the node's lock."""
+        """The present time of the stream [s], with all taken in that came before; under the node's lock."""
+        self._catch_up()
         return self._clock.receipt() / _NS
+
+    @property
+    def heard(self) -> int:
+        """How many messages were taken in."""
+        return 0 if self._intake is None else self._intake.heard
 
     @property
     def recorded_path(self) -> Optional[Path]:
@@ -168,7 +174,7 @@ class LiveSupervisor:
         """Tell the graph what will be published, and let time pass."""
         for topic, (type_name, latched) in _PUBLISHED.items():
             self.node.advertise(topic, type_name, latched)
-        self.node.on_time_jump(self._jumped)
+        self.node.on_time_jump(self.jumped)
         self.node.on_misfit(self._misfit)
         self.node.on_master(self._master_changed)
         self.node.on_shutdown(self._end_stream)
@@ -189,7 +195,14 @@ class LiveSupervisor:
             MrtaError: bag or folder cannot be made, or a plugin fails.
         """
         options = self._options
-        observation = Observation(mission, self.node.codec, self._host.manager, duration)
+        observation = Observation(
+            mission,
+            self.node.codec,
+            self._host.manager,
+            duration,
+            panels=options.pictures > 0,
+            measures=options.out is not None,
+        )
         name = mission.application.package or mission.architecture.package
         if options.out is not None:
             self._folder = OutputFolder.create(_free_folder(options.out), name, force=False)
@@ -202,14 +215,14 @@ class LiveSupervisor:
             self.observation = observation
             self._interest = Interest(observation.wishes, options.topics)
             self._robots = set(observation.supervisor.robots)
-            ring = () if self._ring is None else (self._ring.append,)
+            ring = () if self._ring is None else (self._ring.extend,)
             recording = () if self._recording is None else (self._recording.take,)
-            self._sinks = (*ring, *recording, observation.feed)
+            self._intake = Intake(self.node.name, self._clock, observation, (*ring, *recording), self._tell_news)
             if announce:
                 self._say(mission_message(mission, self.now, duration or 0.0))
             if first is not None:
-                self._take(first._replace(receipt_ns=self._clock.receipt()))
-        self.node.hear(self._wanted, self._hear, receipts=self._clock.receipt)
+                self._intake.take(first._replace(receipt_ns=self._clock.receipt()))
+        self.node.hear(self._wanted, self._intake.hear)
 
     def say(self, outgoing: Outgoing) -> None:
         """Publish a message and take it in like one that was heard; under the node's lock."""
@@ -225,6 +238,7 @@ class LiveSupervisor:
         Raises:
             UsageError: nothing is kept.
         """
+        self._catch_up()
         if self._ring is None:
             raise UsageError("nothing is kept for snapshots; set ~snapshot_seconds above 0")
         return self._ring.last(seconds or None)
@@ -261,26 +275,9 @@ class LiveSupervisor:
         (self._topics.add if wanted else self._topics.discard)(topic)
         return wanted
 
-    def _hear(self, stamped: Stamped) -> None:
-        if stamped.connection.caller == self.node.name or self._closed:
-            # What this node says itself is taken in where it is said.
-            return
-        self._take(stamped)
-        self._tell_news()
-
-    def _take(self, stamped: Stamped) -> None:
-        if not stamped.receipt_ns:
-            # A simulated clock that has not begun to run tells no time.
-            if len(self._early) < _MOST_EARLY:
-                self._early.append(stamped)
-            return
-        if self._early:
-            early, self._early = self._early, []
-            for each in early:
-                self._take(each._replace(receipt_ns=stamped.receipt_ns))
-        self._heard += 1
-        for sink in self._sinks:
-            sink(stamped)
+    def _catch_up(self) -> None:
+        if self._intake is not None:
+            self._intake.catch_up()
 
     def _tell_news(self) -> None:
         """Say what is new. What becomes new by that is said the next time, so that this ends."""
@@ -299,6 +296,9 @@ class LiveSupervisor:
 
     def _say(self, outgoing: Outgoing) -> None:
         """Publish, and take in what was published as it stands in a bag."""
+        if self._intake is None or self._closed:
+            return
+        self._intake.catch_up()
         latched = outgoing.latched or _PUBLISHED.get(outgoing.topic, ("", False))[1]
         receipt = self._clock.receipt()
         known = self._connections.get(outgoing.topic)
@@ -317,7 +317,7 @@ class LiveSupervisor:
             return
         if outgoing.topic == "/mrta/incident":
             self._note_incident(fields)
-        self._take(stamped)
+        self._intake.take(stamped)
 
     def _note_incident(self, fields: Mapping[str, Any]) -> None:
         key = (fields["rule"], fields["start"], tuple(fields["robots"]), tuple(fields["tasks"]))
@@ -331,79 +331,75 @@ class LiveSupervisor:
 
     def _run(self) -> None:
         due = time.monotonic()
-        while not self._ended.wait(_TICK):
+        fresh = False
+        while not self._ended.is_set():
+            # Not by waiting for the end, which takes several times as long.
+            time.sleep(_TICK)
             try:
                 began = time.monotonic()
                 with self.node.lock:
                     if self._closed:
                         return
-                    self._waits.times.append(time.monotonic() - began)
-                    due = self._tick(began, due)
-                    fresh = self.observation is not None and len(self.known_robots) != len(self._robots)
-                    if fresh:
-                        self._robots = set(self.known_robots)
+                    now = time.monotonic()
+                    self._delays.times.append(now - began)
+                    self.look_at_clock()
+                    if now >= due:
+                        fresh = self._tell_again(now)
+                        due = max(due + _STATE_PERIOD, now)
                 if fresh:
+                    fresh = False
                     self.node.ask_again()
             except Exception as error:  # noqa: BLE001 - as in a callback: it ends the node, and is told by it
                 self.failure = error
                 self.node.shut_down(f"supervision failed: {error}")
                 return
 
-    def _tick(self, wall: float, due: float) -> float:
-        """Let happen what fell due, and say what is said again and again; give when that is due next."""
+    def look_at_clock(self) -> None:
+        """Let happen what fell due without a message; under the node's lock."""
+        self._ticks += 1
+        observation = self.observation
+        if observation is None:
+            return
+        now_ns = self._clock.look()
+        picture_is_due = self._pictures.due(now_ns)
+        if observation.supervisor.next_due < now_ns / _NS or picture_is_due or self._ticks % _CATCH_UP == 0:
+            now = self.now
+            if now:
+                observation.supervisor.let_pass(now)
+                self._tell_news()
+                if picture_is_due:
+                    self._pictures.draw(now_ns, observation.view)
+
+    def _tell_again(self, wall: float) -> bool:
+        """Say what is said again and again; tell whether there are robots that were not known before."""
+        self._catch_up()
         receipt, observation = self._clock.receipt(), self.observation
-        now = receipt / _NS
         if observation is not None and receipt:
-            observation.supervisor.let_pass(now)
-            self._tell_news()
-            if self._options.pictures > 0 and receipt >= self._picture_due:
-                self._begin_picture(observation, receipt)
-        if wall < due:
-            return due
-        if observation is not None and receipt:
-            self._tell_team(observation, now)
-        counts, waits = self._counts(), self._waits.take()
+            self._tell_team(observation, receipt / _NS)
+        counts, delays = self._counts(), self._delays.take()
         told = diagnostics(
-            self.node.name, self.node.now(), counts, self._before, seconds=wall - self._told_at, waits=waits
+            self.node.name, self.node.now(), counts, self._before, seconds=wall - self._told_at, waits=delays
         )
-        self.node.publish(told, now)
+        self.node.publish(told, receipt / _NS)
         self._before, self._told_at = counts, wall
-        return max(due + _STATE_PERIOD, wall)
+        robots = set(self.known_robots)
+        fresh = robots != self._robots
+        self._robots = robots
+        return fresh
 
     def _tell_team(self, observation: Observation, now: float) -> None:
+        if self._recording is None and not self.node.is_heard(MARKERS_TOPIC, *_PUBLISHED[MARKERS_TOPIC]):
+            self._say(team_news(observation.supervisor.record(now), now))
+            return
         view = observation.view_without_panels(now)
         self._say(observation.team_state(view))
-        if self._recording is not None or self.node.is_heard(MARKERS_TOPIC, *_PUBLISHED[MARKERS_TOPIC]):
-            self._say(team_markers(view, now))
-
-    def _begin_picture(self, observation: Observation, receipt: int) -> None:
-        period = round(self._options.pictures * _NS)
-        self._picture_due = max(self._picture_due + period, receipt - receipt % period + period)
-        if self._drawing.busy:
-            self._undrawn += 1
-            return
-        view = observation.view(receipt / _NS)
-        self._drawing.draw(view, PictureFormat.JPEG).add_done_callback(lambda done: self._publish_picture(view, done))
-
-    def _publish_picture(self, view: MonitorView, done: Future[bytes]) -> None:
-        error = done.exception()
-        with self.node.lock:
-            if self._closed:
-                return
-            if error is not None:
-                self._undrawn += 1
-                if str(error) != self._picture_failed:
-                    self._picture_failed = str(error)
-                    _log.error("picture=%.3f was not drawn: %s", view.now, error)
-                return
-            fields = {"header": {"stamp": view.now, "frame_id": "map"}, "format": "jpeg", "data": done.result()}
-            self._say(Outgoing(PICTURE_TOPIC, _PUBLISHED[PICTURE_TOPIC][0], fields))
+        self._say(team_markers(view, now))
 
     def _counts(self) -> Counts:
         recording, ring, observation = self._recording, self._ring, self.observation
         drawn = self._options.pictures > 0 and observation is not None
         return Counts(
-            heard=self._heard,
+            heard=self.heard,
             topics=len(self._topics),
             unreadable=0 if observation is None else observation.supervisor.unreadable,
             misfits=self._misfits,
@@ -417,7 +413,7 @@ class LiveSupervisor:
             recording="" if recording is None else str(recording.path),
             failure="" if recording is None else recording.failure,
             drawn=self._drawing.drawn if drawn else None,
-            undrawn=self._undrawn,
+            undrawn=self._pictures.undrawn,
             picture_seconds=self._drawing.seconds,
             kept=0 if ring is None else len(ring),
             kept_bytes=0 if ring is None else ring.size,
@@ -431,6 +427,7 @@ class LiveSupervisor:
         with self.node.lock:
             if self._closed:
                 return
+            self._catch_up()
             observation, receipt = self.observation, self._clock.receipt()
             if observation is not None and receipt and self.failure is None:
                 observation.supervisor.let_pass(receipt / _NS)
@@ -438,8 +435,12 @@ class LiveSupervisor:
                 # The last message: what has passed until now has passed in the bag too.
                 self._say(observation.team_state(observation.view_without_panels(receipt / _NS)))
             self._closed = True
+            if self._intake is not None:
+                self._intake.close()
 
-    def _jumped(self, before: float, after: float) -> None:
+    def jumped(self, before: float, after: float) -> None:
+        """Take note that ROS time went back, from a time to another [s]; under the node's lock."""
+        self._catch_up()
         self._clock.jump(after)
         _log.warning(
             "time went back from %.3f s to %.3f s; receipts go on from %.3f s",

@@ -61,7 +61,8 @@ class ParameterReader:
         value = self._given(name)
         if value is None or isinstance(value, str):
             return value
-        return self._refuse(name, value, "a text", None)
+        self._refuse(name, value, "a text", None)
+        return None
 
     def path(self, name: str) -> Optional[Path]:
         """Read the path of a file or folder; None if it is not given."""
@@ -79,7 +80,8 @@ class ParameterReader:
             number = math.nan
         if 0.0 <= number < math.inf:
             return number
-        return self._refuse(name, value, "a number of 0 or more", default)
+        self._refuse(name, value, "a number of 0 or more", default)
+        return default
 
     def texts(self, name: str) -> Tuple[str, ...]:
         """Read texts: a list, or one text with blanks or commas between."""
@@ -90,15 +92,16 @@ class ParameterReader:
             return tuple(value.replace(",", " ").split())
         if isinstance(value, list) and all(isinstance(each, str) for each in value):
             return tuple(value)
-        return self._refuse(name, value, "a text, or a list of texts", ())
+        self._refuse(name, value, "a text, or a list of texts", ())
+        return ()
 
     def _given(self, name: str) -> Any:
         value = self._parameter(f"~{name}", None)
         return None if value == "" else value
 
-    def _refuse(self, name: str, value: Any, accepted: str, default: Any) -> Any:
-        self.problems.append(f"parameter ~{name}: must be {accepted} (got {shown(value)}); {shown(default)} is used")
-        return default
+    def _refuse(self, name: str, value: object, accepted: str, default: object) -> None:
+        used = "nothing" if default in (None, ()) else shown(default)
+        self.problems.append(f"parameter ~{name}: must be {accepted} (got {shown(value)}); {used} is used")
 
 
 def read_options(reader: ParameterReader) -> LiveOptions:

@@ -9,7 +9,7 @@ import logging
 import threading
 from collections import deque
 from pathlib import Path
-from typing import Deque, Optional
+from typing import Deque, Optional, Sequence
 
 from rqt_mrta_py.app.outputs.folder import safe_file_name
 from rqt_mrta_py.errors import TransportError
@@ -93,13 +93,13 @@ class Recording:
         """How many messages wait to be written."""
         return len(self._waiting)
 
-    def take(self, stamped: Stamped) -> None:
-        """Record a message; called by one thread at a time, in the order of receipts."""
+    def take(self, messages: Sequence[Stamped]) -> None:
+        """Record messages; called by one thread at a time, in the order of receipts."""
         if self.failure or self._bytes - self._written_bytes > _MOST_WAITING:
-            self.dropped += 1
+            self.dropped += len(messages)
             return
-        self._bytes += len(stamped.raw)
-        self._waiting.append(stamped)
+        self._bytes += sum([len(stamped[2]) for stamped in messages])
+        self._waiting.extend(messages)
 
     def close(self) -> Optional[Path]:
         """Complete the bag.

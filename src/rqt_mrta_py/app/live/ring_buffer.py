@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from typing import Deque, Dict, List, Optional
+from typing import Deque, Dict, List, Optional, Sequence
 
 from rqt_mrta_py.hooks import Connection, Stamped
 
@@ -39,20 +39,23 @@ class RingBuffer:
     def __len__(self) -> int:
         return len(self._kept)
 
-    def append(self, stamped: Stamped) -> None:
-        """Take in the next message; no receipt is before that of the message before."""
-        kept = self._kept
-        connection, receipt_ns, raw = stamped
-        kept.append(stamped)
-        self.size += len(raw) + MESSAGE_BYTES
-        if connection.latched:
-            self._latch(stamped)
-        oldest = receipt_ns - self._span_ns
-        while kept[0].receipt_ns < oldest:
-            self._let_go()
-        while self.size > self._most:
-            self._let_go()
+    def extend(self, messages: Sequence[Stamped]) -> None:
+        """Take in the next messages; no receipt is before that of the message before."""
+        if not messages:
+            return
+        kept, size = self._kept, self.size
+        kept.extend(messages)
+        for stamped in messages:
+            size += len(stamped[2]) + MESSAGE_BYTES
+            if stamped[0].latched:
+                self._latch(stamped)
+        oldest = messages[-1].receipt_ns - self._span_ns
+        while kept[0][1] < oldest:
+            size -= len(kept.popleft()[2]) + MESSAGE_BYTES
+        while size > self._most:
+            size -= len(kept.popleft()[2]) + MESSAGE_BYTES
             self.dropped += 1
+        self.size = size
 
     def last(self, seconds: Optional[float] = None) -> List[Stamped]:
         """Give what was received in the last seconds before the newest message, in order.
@@ -73,9 +76,6 @@ class RingBuffer:
         there = {stamped.connection for stamped in messages}
         before = [stamped for connection, stamped in self._latched.items() if connection not in there]
         return [*(stamped._replace(receipt_ns=start) for stamped in before), *messages]
-
-    def _let_go(self) -> None:
-        self.size -= len(self._kept.popleft().raw) + MESSAGE_BYTES
 
     def _latch(self, stamped: Stamped) -> None:
         self._latched.pop(stamped.connection, None)

@@ -2,5 +2,6 @@
 
 * ``supervisor``: watches a team and records it
 * ``recorder``: records topics as they are
+* ``review``: reviews a bag
 * ``frame``: what all nodes share, from arguments to exit status
 """

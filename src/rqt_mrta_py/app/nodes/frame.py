@@ -18,7 +18,7 @@ __all__ = ["Ending", "node_main"]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
-_LOOK = 0.1
+_LOOK = 0.2
 """How often a waiting program looks whether it shall end [s]."""
 
 

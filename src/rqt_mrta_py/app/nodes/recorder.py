@@ -15,7 +15,7 @@ from rqt_mrta_py.app.live.stream_clock import StreamClock
 from rqt_mrta_py.app.nodes.frame import Ending, node_main
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Stamped
-from rqt_mrta_py.transport.ros1.node import RosNode
+from rqt_mrta_py.transport.ros1 import RosNode
 
 __all__ = ["main"]
 
@@ -51,7 +51,7 @@ def _work(node: RosNode, _host: Host, ending: Ending) -> None:
 
     def take(stamped: Stamped) -> None:
         if not ending.requested:
-            recording.take(stamped)
+            recording.take((stamped,))
 
     node.hear(wanted, take, receipts=clock.receipt)
     try:

@@ -18,7 +18,7 @@ from rqt_mrta_py.config.mission import load_mission, load_observed
 from rqt_mrta_py.errors import MrtaError
 from rqt_mrta_py.hooks import Stamped
 from rqt_mrta_py.model import Mission
-from rqt_mrta_py.transport.ros1.node import RosNode
+from rqt_mrta_py.transport.ros1 import RosNode
 
 __all__ = ["MissionEar", "Told", "main"]
 
