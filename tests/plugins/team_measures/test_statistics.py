@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from typing import Optional
 
 import pytest
 from team_measures.statistics.estimates import Estimate, estimated_mean, estimated_share
 from team_measures.statistics.quantiles import quantile
 from team_measures.statistics.student import inner_probability, two_sided_quantile
+from team_measures.statistics.tables import rounded
 
 
 @pytest.mark.parametrize(
@@ -68,3 +70,8 @@ def test_a_quantile_lies_on_the_straight_line_between_neighbours(share: float, v
 
 def test_an_empty_sample_has_no_quantile() -> None:
     assert quantile([], 0.5) is None
+
+
+@pytest.mark.parametrize(("value", "shown"), [(None, "None"), (-0.0004, "0.0"), (0.0, "0.0"), (-1.0049, "-1.0")])
+def test_what_rounds_to_nothing_has_no_sign(value: Optional[float], shown: str) -> None:
+    assert str(rounded(value)) == shown

@@ -29,8 +29,8 @@ def share_text(estimate: Optional[Estimate]) -> Optional[str]:
 
 
 def rounded(value: Optional[float], digits: int = 2) -> Optional[float]:
-    """Round a number that may be missing."""
-    return None if value is None else round(value, digits)
+    """Round a number that may be missing; what rounds to nothing has no sign."""
+    return None if value is None else round(value, digits) + 0.0
 
 
 def estimate_line(
