@@ -24,7 +24,7 @@ _log = logging.getLogger("rqt_mrta_py.app")
 
 _LOOK = 0.1
 """How often a wait looks whether the node shall end [s]."""
-_PATIENCE = 3.0
+_PATIENCE = 10.0
 """How long what a manifest names may take to arrive in lock step [s]."""
 _MOST_BEHIND = 100
 """From how many ticks behind on a robot leaves turns out instead of taking one after the other."""

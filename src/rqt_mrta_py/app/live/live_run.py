@@ -41,7 +41,7 @@ _log = logging.getLogger("rqt_mrta_py.app")
 _SUPERVISOR = "/supervisor"
 _LOOK = 0.1
 """How often it is looked whether a node has ended or the user wants to end [s]."""
-_PATIENCE = 5.0
+_PATIENCE = 20.0
 """How long what a manifest names may take to arrive [s]; how long the simulation may take to end when asked to."""
 
 

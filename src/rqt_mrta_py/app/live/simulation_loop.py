@@ -23,7 +23,7 @@ _SUPERVISED = "/mrta/task_progress"
 """Who supervises hears this, and only once it knows what."""
 _LOOK = 0.1
 """How often a wait looks whether the node shall end [s]."""
-_TELL = 5.0
+_TELL = 10.0
 """How often it is told for whom the simulation waits [s]."""
 _GRACE = 1.0
 """How long an agent that has gone is waited for in lock step: it may have said something before [s]."""

@@ -15,7 +15,7 @@ __all__ = ["Opener", "Ways", "expanded"]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
-_PATIENCE = 5.0
+_PATIENCE = 15.0
 """How long a subscriber may take to connect [s]."""
 
 _MOST_TOPICS = 256
