@@ -37,6 +37,7 @@ class Drawing:
     Attributes:
         drawn: how many pictures.
         seconds: what the last one took, until its bytes were here [s].
+        closed: whether pictures are not drawn any more.
     """
 
     def __init__(self) -> None:
@@ -46,7 +47,7 @@ class Drawing:
         self._process: Optional[subprocess.Popen[bytes]] = None
         self._waiting = 0
         self._lock = threading.Lock()
-        self._closed = False
+        self.closed = False
 
     @property
     def busy(self) -> bool:
@@ -73,7 +74,7 @@ class Drawing:
 
     def close(self) -> None:
         """End the process; pictures that wait are not drawn any more."""
-        self._closed = True
+        self.closed = True
         process = self._process
         if process is not None:
             process.kill()
@@ -84,7 +85,7 @@ class Drawing:
     def _draw(self, view: MonitorView, picture_format: PictureFormat) -> bytes:
         began = time.monotonic()
         try:
-            if self._closed:
+            if self.closed:
                 raise RenderError("pictures are not drawn any more")
             process = self._running()
             try:

@@ -66,6 +66,6 @@ class LivePictures:
                 self._say(Outgoing(PICTURE_TOPIC, "sensor_msgs/CompressedImage", fields))
                 return
             self.undrawn += 1
-            if str(error) != self._failed:
+            if not self._drawing.closed and str(error) != self._failed:
                 self._failed = str(error)
                 _log.error("picture=%.3f was not drawn: %s", stamp, error)

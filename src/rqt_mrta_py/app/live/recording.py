@@ -8,6 +8,7 @@ from __future__ import annotations
 import logging
 import threading
 from collections import deque
+from contextlib import suppress
 from pathlib import Path
 from typing import Deque, Optional, Sequence
 
@@ -138,4 +139,7 @@ class Recording:
         self.failure = str(error)
         self.dropped += len(self._waiting)
         self._waiting.clear()
+        # It may still get its index; if not, mrta salvage makes a whole bag of it.
+        with suppress(TransportError):
+            self._bag.close()
         _log.error("recording=%s has ended: %s", self.path, error)
