@@ -71,6 +71,11 @@ def test_node_waits_for_a_master_and_lives_through_its_restart(
     lonely.do("node.publish(Outgoing('/new', 'std_msgs/String', {}), 0.0)")
     lonely.until("found")
     assert lonely.ask("heard") == [{"data": "before"}, {"data": "meanwhile"}, {"data": "after"}]
+    # Nor does a node whose master is gone take long to end.
+    own_master.stop(kill=True)
+    lonely.do("start = time.monotonic(); node.shut_down('the test is over'); passed = time.monotonic() - start")
+    assert lonely.ask("passed") < 1.5
+    assert lonely.ask("node.wait(0)")
 
 
 def test_master_that_was_only_out_of_reach_is_found_again(node: PythonProcess) -> None:
