@@ -29,6 +29,8 @@ _GRACE = 1.0
 """How long an agent that has gone is waited for in lock step: it may have said something before [s]."""
 _LAST_WORDS = 0.5
 """How long the last messages may take to leave the process [s]."""
+_KEEPS_UP = 0.97
+"""Which part of the speed asked for has to be reached."""
 _MOST_BEHIND = 1.0
 """From when on a free-running simulation gives up catching up with the wall clock [s]."""
 
@@ -86,7 +88,6 @@ class SimulationLoop:
         period = 0.0 if not self._factor else 1.0 / (world.scenario.control_rate * self._factor)
         self._ways.open([(each.topic, each.type, each.latched) for each, _, _ in said])
         began = due = time.monotonic()
-        behind = 0.0
         tick = 0
         for tick in range(world.last_tick + 1):
             if self._ends():
@@ -105,7 +106,6 @@ class SimulationLoop:
             if period and ahead > 0.0:
                 time.sleep(ahead)
             elif period and -ahead > _MOST_BEHIND:
-                behind -= ahead
                 due -= ahead
             with node.lock:
                 self._turns.close()
@@ -114,9 +114,12 @@ class SimulationLoop:
             news = self._turns.end()
         node.publish(news.message(), news.stamp)
         passed = tick / world.scenario.control_rate
-        _log.info(
-            "mission=over time=%.2f wall=%.2f factor=%.2f behind=%.2f", passed, took, passed / max(took, 1e-9), behind
-        )
+        reached = passed / max(took, 1e-9)
+        _log.info("mission=over time=%.2f wall=%.2f factor=%.2f", passed, took, reached)
+        if period and reached < _KEEPS_UP * self._factor and tick == world.last_tick:
+            _log.warning(
+                "the clock could not keep up: factor %g was asked for, %.2f was reached", self._factor, reached
+            )
         until = time.monotonic() + _LAST_WORDS
         while time.monotonic() < until and not self._ends():
             time.sleep(0.01)
