@@ -56,6 +56,7 @@ _PUBLISHED: Mapping[str, Tuple[str, bool]] = {
     MARKERS_TOPIC: ("visualization_msgs/MarkerArray", False),
     PICTURE_TOPIC: ("sensor_msgs/CompressedImage", False),
     "/mrta/robot_state": ("rqt_mrta_py/RobotState", True),
+    "/mrta/task_progress": ("rqt_mrta_py/TaskProgress", False),
     "/mrta/task_state": ("rqt_mrta_py/TaskState", True),
     "/mrta/team_state": ("rqt_mrta_py/TeamState", True),
     DIAGNOSTICS_TOPIC: ("diagnostic_msgs/DiagnosticArray", False),

@@ -20,7 +20,7 @@ __all__ = ["serve_supervisor"]
 
 _Fields = Mapping[str, Any]
 
-_PATIENCE = 30.0
+_PATIENCE = 60.0
 """How long a picture may take, the start of the process that draws it included [s]."""
 
 
