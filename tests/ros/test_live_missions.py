@@ -46,6 +46,7 @@ def speak(clock):
         message.header.stamp = clock.clock
         message.header.frame_id = "/robot3"
         message.task_id = "wander"
+        message.expected_duration = rospy.Duration(1200)
         publisher.publish(message)
 
 def hear(message):

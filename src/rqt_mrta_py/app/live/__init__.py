@@ -6,6 +6,11 @@
 * ``recording``: into a bag, beside the stream; ``ring_buffer``, ``snapshots``: the last seconds, when they matter
 * ``drawing``: pictures in another process; ``health``: how the supervisor itself is
 * ``orders``: what operators order
-* ``hold_back``, ``tick_messages``: the order of lock step; ``agent_side``, ``world_turns``: what keeps it
+* ``live_run``: a mission as nodes, from what the user asks for to its outputs; ``node_processes``, ``own_master``: what
+  it starts; ``tick_stream``: what it hears, tick by tick
+* ``simulation_loop``, ``agent_loop``: a world and a robot on a node; ``ways``: topics that are open before anything is
+  said on them; ``mission_parameters``: which mission it is
+* ``world_turns``, ``agent_side``: what these loops do in a tick, without any I/O; ``hold_back``, ``tick_messages``: the
+  order of lock step
 * ``served_parameters``: a robot's parameters on the parameter server
 """

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import importlib.util
 import os
-import shutil
 import socket
 import subprocess
 import sys
@@ -23,6 +23,15 @@ _PATIENCE = 10.0
 _END = 5.0
 """How long it may take to end [s]."""
 
+_MASTER = """\
+import sys, rosmaster.master
+master = rosmaster.master.Master({port})
+master.start()
+sys.stdin.read()
+master.stop()
+"""
+"""Ends with whoever started it, for its stdin does."""
+
 
 @contextmanager
 def some_master() -> Iterator[Master]:
@@ -41,18 +50,17 @@ def some_master() -> Iterator[Master]:
         raise MissingDependencyError(
             f"no ROS master answers at {uri}; start one there, or let ROS_MASTER_URI name this machine"
         )
-    command = shutil.which("rosmaster")
-    if command is None:
+    if importlib.util.find_spec("rosmaster") is None:
         raise MissingDependencyError(
-            f"no ROS master answers at {uri}, and none can be started: the command rosmaster is not installed; "
+            f"no ROS master answers at {uri}, and none can be started: rosmaster is not installed; "
             "on Debian: apt-get install python3-rosmaster"
         )
     os.environ["ROS_MASTER_URI"] = uri
     sys.stderr.write(f"mrta: no ROS master answers at {uri}; one is started for this run\n")
     # In a session of its own: Ctrl-C is for the run to hear, and the master must outlive its nodes.
     process = subprocess.Popen(
-        [command, "--core", "-p", str(port)],
-        stdin=subprocess.DEVNULL,
+        [sys.executable, "-c", _MASTER.format(port=port)],
+        stdin=subprocess.PIPE,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
         start_new_session=True,
@@ -61,7 +69,8 @@ def some_master() -> Iterator[Master]:
         _await(master, process)
         yield master
     finally:
-        process.terminate()
+        if process.stdin is not None:
+            process.stdin.close()
         try:
             process.wait(_END)
         except subprocess.TimeoutExpired:

@@ -68,6 +68,11 @@ def _work(node: RosNode, host: Host, ending: Ending) -> None:
         mission = _told(node, ending)
         if mission is None:
             return
+        if choice.architecture not in (None, mission.architecture.package):
+            raise UsageError(
+                f"{MISSION_TOPIC} tells a mission under {mission.architecture.package}, and this agent shall be one of "
+                f"{choice.architecture}; start an agent of that architecture, or give ~application"
+            )
     else:
         mission = live_mission(node.parameters, host, choice, parameters)
     scenario = _scenario(mission)
