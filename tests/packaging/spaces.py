@@ -40,7 +40,7 @@ class Space:
             env=clean_environment(PATH=PATH, ROS_HOME=str(home), ROS_HOSTNAME="127.0.0.1"),
             capture_output=True,
             text=True,
-            timeout=120,
+            timeout=300,
             check=False,
         )
 
@@ -85,7 +85,7 @@ def catkin_make(folder: Path, prefix: str = "") -> Workspace:
         env=clean_environment(PATH=PATH, CMAKE_PREFIX_PATH=prefix, ROS_LANG_DISABLE="gencpp:genlisp"),
         capture_output=True,
         text=True,
-        timeout=300,
+        timeout=1200,
         check=False,
     )
     assert done.returncode == 0, done.stdout + done.stderr

@@ -29,7 +29,7 @@ def space(tree: Path, tmp_path_factory: pytest.TempPathFactory) -> Space:
             PATH=PATH, CMAKE_PREFIX_PATH="", ROS_LANG_DISABLE="gencpp:geneus:genlisp:gennodejs"
         )
         done = subprocess.run(
-            command, cwd=folder, env=environment, capture_output=True, text=True, timeout=300, check=False
+            command, cwd=folder, env=environment, capture_output=True, text=True, timeout=1200, check=False
         )
         assert done.returncode == 0, done.stdout + done.stderr
     return Space(folder / "build" / "devel")
