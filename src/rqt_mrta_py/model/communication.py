@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple, Optional, Tuple
+from typing import Dict, List, NamedTuple, Optional, Tuple
 
 __all__ = ["CommunicationGraph", "Flow", "TopicTraffic"]
 
@@ -63,12 +63,13 @@ class CommunicationGraph:
     @property
     def topics(self) -> Tuple[TopicTraffic, ...]:
         """Sum the flows up by topic, sorted by name; topics that are only heard have no type."""
-        heard = {topic for topic, _ in self.subscriptions or ()}
-        names = sorted(heard.union(flow.topic for flow in self.flows))
-        found = []
-        for name in names:
-            flows = [flow for flow in self.flows if flow.topic == name]
-            rates = [flow.rate for flow in flows if flow.rate is not None]
-            types = tuple(sorted({flow.type for flow in flows}))
-            found.append(TopicTraffic(name, types, sum(flow.messages for flow in flows), sum(rates) if rates else None))
-        return tuple(found)
+        by_name: Dict[str, List[Flow]] = {topic: [] for topic, _ in self.subscriptions or ()}
+        for flow in self.flows:
+            by_name.setdefault(flow.topic, []).append(flow)
+        return tuple(_summed_up(name, by_name[name]) for name in sorted(by_name))
+
+
+def _summed_up(name: str, flows: List[Flow]) -> TopicTraffic:
+    rates = [flow.rate for flow in flows if flow.rate is not None]
+    types = tuple(sorted({flow.type for flow in flows}))
+    return TopicTraffic(name, types, sum(flow.messages for flow in flows), sum(rates) if rates else None)

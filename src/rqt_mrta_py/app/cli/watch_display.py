@@ -122,12 +122,13 @@ class JsonDisplay:
         """Print how everything stands."""
         record = view.record
         standing = summary(record)
+        holders = view.holders()
         fields: Dict[str, Any] = {
             "time": standing["time"],
             "messages": view.messages,
             "robots": [{"id": robot.id, "state": robot.state.value} for robot in record.robots],
             "tasks": [
-                {"id": task.id, "state": task.state.value, "robots": list(view.holders(task.id))}
+                {"id": task.id, "state": task.state.value, "robots": list(holders.get(task.id, ()))}
                 for task in record.tasks
             ],
             "incidents": incident_lines(record),

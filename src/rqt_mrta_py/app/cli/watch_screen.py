@@ -69,14 +69,14 @@ class ScreenDisplay:
 
     def show(self, view: WatchView) -> None:
         """Draw all tables anew."""
-        self._live.update(self._page(view, whole=False), refresh=True)
+        self._live.update(self._page(view), refresh=True)
 
     def end(self, view: WatchView) -> None:
-        """Leave the tables in full."""
-        self._live.update(self._page(view, whole=False), refresh=True)
+        """Leave the tables as they are at the end."""
+        self._live.update(self._page(view), refresh=True)
         draw(view, self._picture)
 
-    def _page(self, view: WatchView, whole: bool) -> Group:
+    def _page(self, view: WatchView) -> Group:
         record = view.record
         now = record.end or 0.0
         start = record.start if record.start is not None else now
@@ -84,43 +84,47 @@ class ScreenDisplay:
         architecture = view.mission.architecture.package or view.mission.architecture.name
         title = Text.assemble((name, "bold"), f" under {architecture}   {now - start:.1f} s   {view.messages} messages")
         title.append(f"   {self._where}", style="bright_black")
-        topics = graph_rows(view.graph) if view.graph is not None else ()
+        topics = graph_rows(view.graph) if view.graph is not None else []
         incidents = _incidents(view, start)
         room = max(self._console.height - _FIXED - max(1, len(incidents)), 6)
         shares = _shares(room, [len(record.robots), len(record.tasks), len(topics)])
         parts: List[Any] = [
             title,
-            _table(("ROBOT", "STATE", "FOR", "HOLDS", "LAST HEARD"), _robots(view, now), shares[0]),
-            _table(("TASK", "STATE", "FOR", "HELD BY"), _tasks(view, now), shares[1]),
+            _table(("ROBOT", "STATE", "FOR", "HOLDS", "LAST HEARD"), _robots(view, now, shares[0]), len(record.robots)),
+            _table(("TASK", "STATE", "FOR", "HELD BY"), _tasks(view, now, shares[1]), len(record.tasks)),
         ]
         if view.graph is not None:
-            parts.append(_table(("TOPIC", "TYPE", "RATE", "PUBLISHED BY", "HEARD BY"), topics, shares[2]))
-        parts.append(_table(("INCIDENTS", "", ""), incidents or [("none", "", "")], _MOST_INCIDENTS))
+            parts.append(
+                _table(("TOPIC", "TYPE", "RATE", "PUBLISHED BY", "HEARD BY"), topics[: shares[2]], len(topics))
+            )
+        parts.append(_table(("INCIDENTS", "", ""), incidents or [("none", "", "")]))
         return Group(*parts)
 
 
-def _robots(view: WatchView, now: float) -> Rows:
+def _robots(view: WatchView, now: float, most: int) -> Rows:
+    holdings = view.holdings()
     return [
         (
             Text(robot.id),
             Text(robot.state.value, _ROBOT_STYLES[robot.state]),
             _seconds(now - robot.states[-1].start) if robot.states else "",
-            Text(", ".join(view.held_by(robot.id))),
+            Text(", ".join(holdings.get(robot.id, ()))),
             "never" if robot.last_heard is None else f"{_seconds(now - robot.last_heard)} ago",
         )
-        for robot in view.record.robots
+        for robot in view.record.robots[:most]
     ]
 
 
-def _tasks(view: WatchView, now: float) -> Rows:
+def _tasks(view: WatchView, now: float, most: int) -> Rows:
+    holders = view.holders()
     return [
         (
             Text(task.id),
             Text(task.state.value, _TASK_STYLES[task.state]),
             _seconds(now - task.history[-1].start) if task.history else "",
-            Text(", ".join(view.holders(task.id))),
+            Text(", ".join(holders.get(task.id, ()))),
         )
-        for task in view.record.tasks
+        for task in view.record.tasks[:most]
     ]
 
 
@@ -136,14 +140,15 @@ def _incidents(view: WatchView, start: float) -> Rows:
     ]
 
 
-def _table(head: Sequence[str], rows: Rows, most: int) -> Table:
+def _table(head: Sequence[str], rows: Rows, of: int = 0) -> Table:
+    """Make a table of rows, and say how many more there are of them all."""
     table = Table(box=None, pad_edge=False, header_style="bold", padding=(0, 2, 0, 0))
     for title in head:
         table.add_column(title, no_wrap=title not in ("HOLDS", "HELD BY", ""), overflow="ellipsis")
-    for row in rows[:most]:
+    for row in rows:
         table.add_row(*row)
-    if len(rows) > most:
-        table.add_row(f"and {len(rows) - most} more", *[""] * (len(head) - 1))
+    if of > len(rows):
+        table.add_row(f"and {of - len(rows)} more", *[""] * (len(head) - 1))
     return table
 
 

@@ -15,6 +15,7 @@ from rqt_mrta_py.transport import Dispatcher
 
 __all__ = ["TeamWatch"]
 
+
 class TeamWatch:
     """Hears a stream as a run's supervisor does, and draws, measures and records nothing.
 
@@ -37,6 +38,7 @@ class TeamWatch:
         """
         self.mission = mission
         self.messages = 0
+        self._start = 0.0
         self._events: List[Event] = []
         self._supervisor = Supervisor(
             mission,
@@ -64,6 +66,8 @@ class TeamWatch:
 
     def feed(self, stamped: Stamped) -> None:
         """Take in the next message of the stream."""
+        if not self.messages:
+            self._start = stamped.receipt_ns / 1e9
         self.messages += 1
         self.traffic.count(stamped.connection, stamped.receipt_ns)
         self._dispatcher.feed(stamped)
@@ -80,7 +84,7 @@ class TeamWatch:
         """Tell what has changed since this was last asked."""
         if self._events:
             events, self._events[:] = tuple(self._events), ()
-            display.tell(events, self._supervisor.record().start or 0.0)
+            display.tell(events, self._start)
 
     def view(self, now: Optional[float], graph: Optional[CommunicationGraph]) -> WatchView:
         """Give everything as it is at a moment.

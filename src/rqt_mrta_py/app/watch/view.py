@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import NamedTuple, Optional, Protocol, Sequence, Tuple
+from typing import Dict, Iterable, List, Mapping, NamedTuple, Optional, Protocol, Sequence, Tuple
 
 from rqt_mrta_py.model import CommunicationGraph, Event, Mission, MissionRecord, Outcome
 
@@ -47,15 +47,20 @@ class WatchView(NamedTuple):
     messages: int
     graph: Optional[CommunicationGraph]
 
-    def holders(self, task: str) -> Tuple[str, ...]:
-        """List the robots that hold a task now, sorted."""
-        open_ones = (each for each in self.record.allocations if each.outcome is Outcome.OPEN)
-        return tuple(sorted(each.robot for each in open_ones if each.task == task))
+    def holders(self) -> Mapping[str, Tuple[str, ...]]:
+        """List the robots that hold each task now, sorted; tasks that nobody holds are left out."""
+        return _grouped((each.task, each.robot) for each in self.record.allocations if each.outcome is Outcome.OPEN)
 
-    def held_by(self, robot: str) -> Tuple[str, ...]:
-        """List the tasks that a robot holds now, sorted."""
-        open_ones = (each for each in self.record.allocations if each.outcome is Outcome.OPEN)
-        return tuple(sorted(each.task for each in open_ones if each.robot == robot))
+    def holdings(self) -> Mapping[str, Tuple[str, ...]]:
+        """List the tasks that each robot holds now, sorted; robots that hold none are left out."""
+        return _grouped((each.robot, each.task) for each in self.record.allocations if each.outcome is Outcome.OPEN)
+
+
+def _grouped(pairs: Iterable[Tuple[str, str]]) -> Mapping[str, Tuple[str, ...]]:
+    found: Dict[str, List[str]] = {}
+    for key, value in pairs:
+        found.setdefault(key, []).append(value)
+    return {key: tuple(sorted(values)) for key, values in found.items()}
 
 
 class Display(Protocol):
