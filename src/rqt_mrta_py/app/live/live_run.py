@@ -18,7 +18,7 @@ from rqt_mrta_py.app.live.own_master import some_master
 from rqt_mrta_py.app.live.served_parameters import ParameterPlaces
 from rqt_mrta_py.app.live.tick_messages import DONE_TOPIC, TICK_TOPIC, TickNews
 from rqt_mrta_py.app.live.tick_stream import Cut, TickStream
-from rqt_mrta_py.app.live.ways import expanded
+from rqt_mrta_py.app.live.ways import foreseen_topics, overhear
 from rqt_mrta_py.app.live.world_turns import refuse_radio
 from rqt_mrta_py.app.nodes import agent, simulation
 from rqt_mrta_py.app.outputs.results import MissionResult, Results, Stopwatch
@@ -169,9 +169,10 @@ class _Watching:
         bus = Bus(self._node.codec, PerfectLink())
         with open_watch(self._plan, bus) as watch:
             bus.tap(self._pass_on)
-            for topic in self._known_topics():
-                # Subscribed to before anybody publishes it, it is heard at once: nobody has to ask the master first.
-                self._node.hear_topic(topic, _overhear)
+            observation = self._plan.observation
+            for topic in foreseen_topics(observation.mission, observation.wishes):
+                if self._wanted(topic, ""):
+                    self._node.hear_topic(topic, overhear)
             self._node.hear(self._wanted, self._hear)
             self._node.hear_topic(TICK_TOPIC, self._hear_tick)
             over = False
@@ -182,15 +183,6 @@ class _Watching:
                 self._hand_on(watch, cut, progress)
                 over = cut.over
             return watch.finish()
-
-    def _known_topics(self) -> Sequence[str]:
-        """Give the topics that what is derived from the stream asks for, as far as they are known."""
-        mission = self._plan.observation.mission
-        robots = [robot.id for robot in mission.application.robots]
-        tasks = [task.id for task in (*mission.tasks, *mission.later_tasks)]
-        wishes = self._plan.observation.wishes
-        topics = dict.fromkeys(topic for wish in wishes for topic in expanded(wish.topic, robots, tasks))
-        return [topic for topic in topics if self._wanted(topic, "")]
 
     def _wanted(self, topic: str, _type: str) -> bool:
         if topic in (TICK_TOPIC, DONE_TOPIC):
@@ -267,7 +259,3 @@ def _hear(watch: Watch, said: Sequence[Stamped]) -> None:
                 Batch.of(tuple(each.connection for each in part), part[0].receipt_ns, [each.raw for each in part])
             )
             start = end
-
-
-def _overhear(_stamped: Stamped) -> None:
-    """Take no note of a message; somebody else does."""

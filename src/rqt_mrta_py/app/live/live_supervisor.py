@@ -25,6 +25,7 @@ from rqt_mrta_py.app.live.recording import Recording, free_bag
 from rqt_mrta_py.app.live.ring_buffer import RingBuffer
 from rqt_mrta_py.app.live.snapshots import Snapshots
 from rqt_mrta_py.app.live.stream_clock import StreamClock
+from rqt_mrta_py.app.live.ways import foreseen_topics, overhear
 from rqt_mrta_py.app.mission_message import mission_message
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs.folder import OutputFolder
@@ -223,6 +224,9 @@ class LiveSupervisor:
                 self._say(mission_message(mission, self.now, duration or 0.0))
             if first is not None:
                 self._intake.take(first._replace(receipt_ns=self._clock.receipt()))
+        for topic in foreseen_topics(mission, observation.wishes):
+            if self._interest.wants(topic, "", self._robots):
+                self.node.hear_topic(topic, overhear)
         self.node.hear(self._wanted, self._intake.hear)
 
     def say(self, outgoing: Outgoing) -> None:

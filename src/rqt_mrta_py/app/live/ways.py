@@ -7,11 +7,11 @@ import logging
 import time
 from typing import Callable, Collection, FrozenSet, Iterable, Protocol, Sequence, Set, Tuple
 
-from rqt_mrta_py.hooks import EVERYTHING
-from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN
+from rqt_mrta_py.hooks import EVERYTHING, Stamped, Subscription
+from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN, Mission
 from rqt_mrta_py.transport.ros1.master import Graph
 
-__all__ = ["Opener", "Ways", "expanded"]
+__all__ = ["Opener", "Ways", "expanded", "foreseen_topics", "overhear"]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
@@ -106,3 +106,21 @@ def expanded(topic: str, team: Sequence[str], tasks: Sequence[str]) -> Sequence[
     return [
         topic.replace(ROBOT_TOKEN, robot).replace(TASK_TOKEN, task) for robot, task in itertools.product(robots, names)
     ]
+
+
+def foreseen_topics(mission: Mission, wishes: Iterable[Subscription]) -> Sequence[str]:
+    """Give the topics that somebody wants to hear of a mission, as far as robots and tasks are known.
+
+    Who subscribes to them before anybody publishes there hears the first message; whoever asks the master comes late.
+
+    Args:
+        mission: tells robots and tasks.
+        wishes: their topics are absolute, perhaps with tokens.
+    """
+    robots = [robot.id for robot in mission.application.robots]
+    tasks = [task.id for task in (*mission.tasks, *mission.later_tasks)]
+    return tuple(dict.fromkeys(topic for wish in wishes for topic in expanded(wish.topic, robots, tasks)))
+
+
+def overhear(_stamped: Stamped) -> None:
+    """Take no note of a message; somebody else does."""

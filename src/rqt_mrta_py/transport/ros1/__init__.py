@@ -7,6 +7,7 @@
 * ``publishing``, ``services``: messages and answers as bytes; ``raw``: classes that carry them
 * ``asking``: parameters, the graph, services of others
 * ``master``, ``registrations``, ``watch``: the master, also when it is lost or restarted
+* ``connecting``: to publishers, one attempt at a time
 * ``misfits``: connections whose ends do not mean the same
 * ``logs``: log lines on ``/rosout``
 """

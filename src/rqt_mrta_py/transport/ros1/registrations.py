@@ -7,6 +7,7 @@ import threading
 from enum import Enum
 from typing import Any, Callable, Dict, List, Set, Tuple
 
+from rqt_mrta_py.transport.ros1.connecting import connect_once
 from rqt_mrta_py.transport.ros1.door import registration_listener, rospy
 from rqt_mrta_py.transport.ros1.master import Master
 
@@ -51,6 +52,7 @@ class Registrations:
         listeners = ros.impl.registration.get_registration_listeners()
         manager_class = ros.impl.registration.RegManager
         self._manager: Any = next(each for each in listeners.listeners if isinstance(each, manager_class))
+        connect_once(self._manager.handler)
         for name, uri in ros.impl.registration.get_service_manager().get_services():
             self._data[_Kind.SRV, name] = uri
             self._told.add((_Kind.SRV, name))
