@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import Mapping
 
-from rqt_mrta_py.hooks import Benchmark, BenchmarkTable, Laboratory, hookimpl
+from rqt_mrta_py.hooks import Benchmark, BenchmarkReport, BenchmarkTable, Laboratory, hookimpl
 
 __all__ = ["mrta_register_benchmarks"]
 
@@ -13,7 +13,22 @@ __all__ = ["mrta_register_benchmarks"]
 @hookimpl
 def mrta_register_benchmarks() -> Mapping[str, Benchmark]:
     """Name the benchmarks."""
-    return {"loop": Benchmark("How fast a simulated mission runs, everything on.", _loop_arguments, _loop)}
+    return {
+        "live": Benchmark("What live supervision costs, how quick and how safe it is.", _live_arguments, _live),
+        "loop": Benchmark("How fast a simulated mission runs, everything on.", _loop_arguments, _loop),
+    }
+
+
+def _live_arguments(parser: ArgumentParser) -> None:
+    from rqt_mrta_py.app.bench.live.measuring import add_arguments
+
+    add_arguments(parser)
+
+
+def _live(options: Namespace, _laboratory: Laboratory) -> BenchmarkReport:
+    from rqt_mrta_py.app.bench.live.measuring import measure
+
+    return measure(options)
 
 
 def _loop_arguments(parser: ArgumentParser) -> None:

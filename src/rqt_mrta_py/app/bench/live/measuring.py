@@ -1,0 +1,119 @@
+"""The benchmark ``live``: its parts, and what they take."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any, Callable, Dict, List, Sequence, Tuple
+
+from rqt_mrta_py.app.bench.live.crash import measure_crash
+from rqt_mrta_py.app.bench.live.endurance import measure_endurance
+from rqt_mrta_py.app.bench.live.latency import measure_latency
+from rqt_mrta_py.app.bench.live.likeness import highest_sustained, measure_likeness
+from rqt_mrta_py.app.bench.live.processor import measure_processor
+from rqt_mrta_py.app.bench.live.session import LiveSession
+from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable
+from rqt_mrta_py.wording import accepted
+
+__all__ = ["PARTS", "add_arguments", "measure"]
+
+_TOLERANCE = 2.0
+"""How far begins and ends of allocations may differ [s]."""
+_FACTORS = (1.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0)
+_PLANS = (("border_patrol", 150.0), ("target_visiting", 150.0))
+_QUICK = 20.0
+
+
+def _likeness(session: LiveSession, options: argparse.Namespace) -> BenchmarkTable:
+    rows: List[Tuple[Any, ...]] = []
+    for application, duration in _PLANS:
+        plan = (application, "--world", "planar", "--duration", f"{_QUICK if options.quick else duration:g}")
+        best = _factor_of(session, plan)
+        for factor in dict.fromkeys((1.0, best)) if best else (1.0,):
+            folder = session.folder / f"{application}-{factor:g}"
+            runs = 2 if options.quick else options.runs
+            found = measure_likeness(
+                session.environment, _made(folder), plan, factor=factor, runs=runs, tolerance=_TOLERANCE
+            )
+            worst = None if found.worst is None else round(found.worst, 2)
+            rows.append((application, factor, found.runs, found.like, worst, found.sustained))
+    return BenchmarkTable(
+        title="Free-running nodes beside a run in one process: the same allocations in order",
+        columns=("application", "factor", "runs", "alike", "largest deviation [s]", "clock kept up"),
+        rows=tuple(rows),
+        notes=(
+            f"Begins and ends of allocations may differ by {_TOLERANCE:g} s. The higher factor is the highest that "
+            "the clock sustained.",
+        ),
+    )
+
+
+def _factor(session: LiveSession, options: argparse.Namespace) -> BenchmarkTable:
+    rows: List[Tuple[Any, ...]] = []
+    for application, duration in _PLANS:
+        plan = (application, "--world", "planar", "--duration", f"{_QUICK if options.quick else duration:g}")
+        rows.append((application, _factor_of(session, plan) or None))
+    return BenchmarkTable(
+        title="The highest real-time factor that the clock of free-running nodes sustains",
+        columns=("application", "factor"),
+        rows=tuple(rows),
+    )
+
+
+def _factor_of(session: LiveSession, plan: Sequence[str]) -> float:
+    found: Dict[str, float] = session.__dict__.setdefault("factors", {})
+    key = " ".join(plan)
+    if key not in found:
+        folder = _made(session.folder / f"{plan[0]}-factors")
+        found[key] = highest_sustained(session.environment, folder, plan, _FACTORS)[0]
+    return found[key]
+
+
+def _made(folder: Path) -> Path:
+    folder.mkdir()
+    return folder
+
+
+PARTS: Dict[str, Callable[[LiveSession, argparse.Namespace], BenchmarkTable]] = {
+    "cpu": lambda session, options: measure_processor(session, _seconds(options, 60.0)),
+    "latency": lambda session, options: measure_latency(session, _seconds(options, 60.0)),
+    "endurance": lambda session, options: measure_endurance(session, _seconds(options, 600.0)),
+    "crash": lambda session, options: measure_crash(session, _seconds(options, 600.0)),
+    "factor": _factor,
+    "tolerance": _likeness,
+}
+"""What can be measured, by name."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what the benchmark takes."""
+    names = ",".join(PARTS)
+    parser.add_argument(
+        "--parts", metavar="P,...", type=_parts, default=tuple(PARTS), help=f"what to measure (default: {names})"
+    )
+    parser.add_argument("--seconds", metavar="S", type=float, help="how long each part listens (default: its own)")
+    parser.add_argument("--runs", metavar="N", type=int, default=20, help="free runs of a mission (default: 20)")
+    parser.add_argument("--quick", action="store_true", help=f"{_QUICK:g} s for each part, two runs")
+
+
+def measure(options: argparse.Namespace) -> BenchmarkReport:
+    """Measure each part on a graph of its own."""
+    tables = []
+    for name in options.parts:
+        with LiveSession() as session:
+            tables.append(PARTS[name](session, options))
+    return BenchmarkReport(tuple(tables))
+
+
+def _seconds(options: argparse.Namespace, default: float) -> float:
+    if options.seconds is not None:
+        return float(options.seconds)
+    return _QUICK if options.quick else default
+
+
+def _parts(text: str) -> Tuple[str, ...]:
+    names = tuple(part for part in text.split(",") if part)
+    for name in names:
+        if name not in PARTS:
+            raise argparse.ArgumentTypeError(f"{name!r}: there is no such part; {accepted(name, PARTS)}")
+    return names
