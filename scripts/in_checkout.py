@@ -35,6 +35,9 @@ def call(module: str, function: str, script: str) -> None:
         advice = "install rqt_mrta_py[all], or call ./run in a checkout"
         sys.stderr.write(f"rqt_mrta_py: {sys.executable}: {error}; {advice}\n")
         sys.exit(4)
+    except KeyboardInterrupt:
+        # Nothing has begun yet.
+        sys.exit(130)
     sys.exit(entry())
 
 
