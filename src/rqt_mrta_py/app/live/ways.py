@@ -5,8 +5,9 @@ from __future__ import annotations
 import itertools
 import logging
 import time
-from typing import Callable, Collection, FrozenSet, Iterable, Protocol, Sequence, Set, Tuple
+from typing import Callable, Collection, Dict, FrozenSet, Iterable, Protocol, Sequence, Set, Tuple
 
+from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import EVERYTHING, Stamped, Subscription
 from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN, Mission
 from rqt_mrta_py.transport.ros1.master import Graph
@@ -18,6 +19,8 @@ _log = logging.getLogger("rqt_mrta_py.app")
 _PATIENCE = 15.0
 """How long a subscriber may take to connect [s]."""
 
+_DOUBT = 1.0
+"""After what time it is asked whether a subscriber is still alive [s]."""
 _MOST_TOPICS = 256
 """How many topics a pattern may stand for that are subscribed to before anybody publishes them."""
 _LOOK = 0.005
@@ -37,6 +40,10 @@ class Opener(Protocol):
 
     def graph(self) -> Graph:
         """Give what the master knows."""
+        ...
+
+    def reaches(self, node: str) -> bool:
+        """Tell whether a node answers."""
         ...
 
 
@@ -64,7 +71,7 @@ class Ways:
             topics: each resolved, with its type and whether it is latched.
 
         Raises:
-            TransportError: as of ``advertise``, or the master does not answer.
+            TransportError: as of ``advertise``.
         """
         new = [each for each in dict.fromkeys(topics) if each[0] not in self._open]
         if not new:
@@ -72,19 +79,32 @@ class Ways:
         for topic, type_name, latched in new:
             self._node.advertise(topic, type_name, latched)
         self._open.update(topic for topic, _, _ in new)
-        graph = self._node.graph()
-        witnesses = self._witnesses.intersection(graph.nodes)
-        wanted = {topic: {*graph.subscribers.get(topic, ()), *witnesses} for topic, _, _ in new}
-        until = time.monotonic() + _PATIENCE
+        try:
+            graph = self._node.graph()
+            witnesses = self._witnesses.intersection(graph.nodes)
+            self._wait({topic: {*graph.subscribers.get(topic, ()), *witnesses} for topic, _, _ in new})
+        except TransportError as error:
+            # The mission goes on without a master; who comes to hear of the topics later may miss the beginning.
+            _log.warning("nobody knows who hears %s: %s", ", ".join(topic for topic, _, _ in new), error)
+
+    def _wait(self, wanted: Dict[str, Set[str]]) -> None:
+        """Wait until nodes are connected to topics, those that are alive."""
+        began = time.monotonic()
+        doubt = began + _DOUBT
         while not self._ends():
-            missing = [
-                f"{topic} {node}" for topic in wanted for node in sorted(wanted[topic] - self._node.hearers(topic))
-            ]
-            if not missing:
+            missing = {topic: nodes - self._node.hearers(topic) for topic, nodes in wanted.items()}
+            absent = set().union(*missing.values())
+            if not absent:
                 return
-            if time.monotonic() > until:
-                _log.warning("nobody waits any longer for: %s", ", ".join(missing))
+            now = time.monotonic()
+            if now > began + _PATIENCE:
+                told = ", ".join(f"{topic} {node}" for topic, nodes in missing.items() for node in sorted(nodes))
+                _log.warning("nobody waits any longer for: %s", told)
                 return
+            if now > doubt:
+                dead = {node for node in absent if not self._node.reaches(node)}
+                wanted = {topic: nodes - dead for topic, nodes in wanted.items()}
+                doubt = time.monotonic() + _DOUBT
             time.sleep(_LOOK)
 
 

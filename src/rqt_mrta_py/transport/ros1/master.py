@@ -16,6 +16,9 @@ __all__ = ["Graph", "Master"]
 _PATIENCE = 5.0
 """How long an answer may take before the master counts as lost [s]."""
 
+_SHORT_PATIENCE = 2.0
+"""How long a node may take to say that it is there [s]."""
+
 _LONG_ANSWER = 1000
 """From how long on an answer is remembered [bytes]: that list of topics is asked for twice a second."""
 
@@ -97,6 +100,25 @@ class Master:
         if not (isinstance(answer, list) and len(answer) == 3):
             raise TransportError(f"what answers at {self.uri} is no ROS master: it says {str(answer)[:80]!r}")
         return answer[0] == 1, str(answer[1]), answer[2]
+
+    def reaches(self, node: str) -> bool:
+        """Tell whether a node that the master knows answers.
+
+        Args:
+            node: resolved name.
+
+        Raises:
+            TransportError: the master itself does not answer.
+        """
+        known, _, uri = self.ask("lookupNode", node)
+        if not known:
+            return False
+        try:
+            with xmlrpc.client.ServerProxy(str(uri), transport=_PatientTransport(_SHORT_PATIENCE)) as proxy:
+                proxy.getPid(self.caller)
+        except NETWORK_ERRORS:
+            return False
+        return True
 
     def graph(self) -> Graph:
         """Give what it knows of nodes, topics and services.
