@@ -16,9 +16,10 @@ from rqt_mrta_py.hooks import Chart, Figure, Line, LineStyle
 from rqt_mrta_py.render.figures import draw_figure, figure_png
 from rqt_mrta_py.render.figures.colours import line_colours
 from rqt_mrta_py.render.figures.legend import legend_rows
-from rqt_mrta_py.render.figures.limits import bar_width, horizontal_limits, vertical_limits
+from rqt_mrta_py.render.figures.limits import bar_width, horizontal_limits, most_ticks, vertical_limits
 from rqt_mrta_py.render.figures.page import FigurePage
 from rqt_mrta_py.render.palette import RED, TASK_COLOURS
+from rqt_mrta_py.render.times import ticks
 from tests.conftest import require_module
 
 RISE = Line("rise", (0.0, 1.0, 2.0), (0.0, 1.0, 2.0))
@@ -176,3 +177,14 @@ def lines(draw: st.DrawFn) -> Line:
 def test_whatever_the_values_are_a_picture_is_drawn(rows: List[List[Line]], words: str) -> None:
     charts = [Chart(tuple(row), words, words, (words,) if len(row) == 2 else None) for row in rows]
     assert draw_figure(Figure("any", words, words, tuple(charts))).shape[1] == 1600
+
+
+@pytest.mark.parametrize("counts", [(1.0,), (1.0, 2.0), (1.0, 2.0, 3.0, 5.0), (1.0, 12.0), (1.0, 3.0, 50.0)])
+def test_of_what_is_counted_only_whole_values_are_written_along_the_axis(counts: Tuple[float, ...]) -> None:
+    def written(x: Tuple[float, ...]) -> List[float]:
+        figure = Figure("robots", "Robots", "robots", (Chart((Line("a", x, (1.0,) * len(x)),), "m"),))
+        return list(ticks(*horizontal_limits(figure), most_ticks(figure)))
+
+    assert all(value == round(value) for value in written(counts))
+    assert len(written(counts)) <= 13
+    assert any(value != round(value) for value in written((1.0, 2.5)))

@@ -11,12 +11,13 @@ from rqt_mrta_py.hooks import Chart, Figure, LineStyle
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["bar_width", "drawable", "horizontal_limits", "vertical_limits"]
+__all__ = ["bar_width", "drawable", "horizontal_limits", "most_ticks", "vertical_limits"]
 
 _FARTHEST = 1e100
 """Beyond it pixels cannot be computed any more; nobody measures as much."""
 _MARGIN = 0.06
 _BARS_SHARE = 0.8
+_TICKS_ACROSS = 13
 
 
 def drawable(values: Sequence[float]) -> NDArray[np.float64]:
@@ -54,6 +55,15 @@ def horizontal_limits(figure: Figure) -> Tuple[float, float]:
         return low, high
     room = 0.01 * (high - low) or max(1e-6 * abs(low), 0.5)
     return low - room, high + room
+
+
+def most_ticks(figure: Figure) -> int:
+    """Give how many values may be written along the axis that all charts share: of what is counted, whole ones only."""
+    values = _joined(drawable(line.x) for chart in figure.charts for line in chart.lines)
+    if not len(values) or (values != np.round(values)).any():
+        return _TICKS_ACROSS
+    # One more than there are values, for there is a little room beside them.
+    return int(min(values.max() - values.min() + 2.0, _TICKS_ACROSS))
 
 
 def vertical_limits(chart: Chart) -> Tuple[float, float]:

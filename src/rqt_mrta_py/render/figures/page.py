@@ -13,7 +13,7 @@ from rqt_mrta_py.render.canvas import Box
 from rqt_mrta_py.render.charts.sheet import plain, rgb
 from rqt_mrta_py.render.figures.colours import line_colours
 from rqt_mrta_py.render.figures.legend import KEY_WIDTH, ROW_HEIGHT, WORDS, Key, legend_rows
-from rqt_mrta_py.render.figures.limits import horizontal_limits, vertical_limits
+from rqt_mrta_py.render.figures.limits import horizontal_limits, most_ticks, vertical_limits
 from rqt_mrta_py.render.figures.lines import DASHES, bar_colour, draw_lines
 from rqt_mrta_py.render.libraries import matplotlib
 from rqt_mrta_py.render.palette import ACCENT, FAINT, FRAME, INK, MUTED, WHITE, Colour
@@ -126,7 +126,7 @@ class FigurePage:
             names = [plain(shorten(chart.x_ticks[int(x)], _TICK, nth * slot - 8.0)) for x in across]
             axes.grid(visible=False, axis="x")
         else:
-            across = ticks(low, high, 13)
+            across = ticks(low, high, most_ticks(self.figure))
             names = [number(value) for value in across]
         axes.set_xticks(across)
         axes.set_xticklabels(names if last else [""] * len(names), **look)
