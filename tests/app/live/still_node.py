@@ -27,6 +27,7 @@ class StillNode:
         self.said: List[Tuple[str, Any]] = []
         self.wanted: Callable[[str, str], bool] = lambda _topic, _type: False
         self.tell: Callable[[Stamped], None] = lambda _stamped: None
+        self.awaited: List[str] = []
         self.reason = ""
 
     def now(self) -> float:
@@ -34,6 +35,9 @@ class StillNode:
 
     def hear(self, wanted: Callable[[str, str], bool], callback: Callable[[Stamped], None]) -> None:
         self.wanted, self.tell = wanted, callback
+
+    def hear_topic(self, topic: str, _callback: Callable[[Stamped], None]) -> None:
+        self.awaited.append(topic)
 
     def pass_on(self, stamped: Stamped) -> None:
         self.said.append((stamped.connection.topic, stamped.raw))

@@ -4,8 +4,8 @@
 * ``intake``: which messages are taken in at once; ``live_pictures``: pictures at a period
 * ``options``: its private parameters; ``interest``: which topics it hears; ``stream_clock``: its times of receipt
 * ``recording``: into a bag, beside the stream; ``ring_buffer``, ``snapshots``: the last seconds, when they matter
-* ``drawing``: pictures in another process; ``health``: how the supervisor itself is
-* ``orders``: what operators order
+* ``drawing``: pictures in another process; ``health``, ``health_report``: how the supervisor itself is
+* ``orders``: what operators order; ``open_incidents``: what is wrong now
 * ``live_run``: a mission as nodes, from what the user asks for to its outputs; ``node_processes``, ``own_master``: what
   it starts; ``tick_stream``: what it hears, tick by tick
 * ``simulation_loop``, ``agent_loop``: a world and a robot on a node; ``ways``: topics that are open before anything is

@@ -9,6 +9,7 @@ from __future__ import annotations
 import logging
 import threading
 import time
+from dataclasses import replace
 from itertools import count
 from pathlib import Path
 from typing import Any, Dict, List, Mapping, Optional, Set, Tuple
@@ -16,12 +17,14 @@ from typing import Any, Dict, List, Mapping, Optional, Set, Tuple
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.live.drawing import Drawing
-from rqt_mrta_py.app.live.health import DIAGNOSTICS_TOPIC, Counts, Waits, diagnostics, memory_in_use
+from rqt_mrta_py.app.live.health import DIAGNOSTICS_TOPIC, Counts
+from rqt_mrta_py.app.live.health_report import HealthReport
 from rqt_mrta_py.app.live.intake import Intake
 from rqt_mrta_py.app.live.interest import Interest
 from rqt_mrta_py.app.live.live_pictures import LivePictures
+from rqt_mrta_py.app.live.open_incidents import OpenIncidents
 from rqt_mrta_py.app.live.options import LiveOptions
-from rqt_mrta_py.app.live.recording import Recording, free_bag
+from rqt_mrta_py.app.live.recording import Recording, free_bag, free_folder
 from rqt_mrta_py.app.live.ring_buffer import RingBuffer
 from rqt_mrta_py.app.live.snapshots import Snapshots
 from rqt_mrta_py.app.live.stream_clock import StreamClock
@@ -33,10 +36,10 @@ from rqt_mrta_py.app.outputs.pictures import PICTURE_TOPIC
 from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch, write_results
 from rqt_mrta_py.errors import MrtaError, UsageError
 from rqt_mrta_py.hooks import Connection, MonitorView, Outgoing, Stamped
-from rqt_mrta_py.model import Mission, MissionRecord, Severity
+from rqt_mrta_py.model import Mission, MissionRecord
 from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
 from rqt_mrta_py.supervisor import team_news
-from rqt_mrta_py.transport.ros1 import MasterChange, RosNode
+from rqt_mrta_py.transport.ros1 import RosNode
 
 __all__ = ["LiveSupervisor"]
 
@@ -99,13 +102,10 @@ class LiveSupervisor:
         self._folder: Optional[OutputFolder] = None
         self._stopwatch = Stopwatch()
         self._connections: Dict[str, Tuple[Connection, Any]] = {}
-        self._open_incidents: Dict[object, Mapping[str, Any]] = {}
-        self._error: Optional[str] = None
+        self._open_incidents = OpenIncidents()
         self._robots: Set[str] = set()
         self._topics: Set[str] = set()
-        self._misfits = self._master_lost = 0
-        self._wrong_parameters = wrong_parameters
-        self._delays, self._before, self._told_at = Waits(), Counts(), time.monotonic()
+        self._health = HealthReport(node, wrong_parameters)
         self._ticks = 0
         self._closed = False
         self._ended = threading.Event()
@@ -158,7 +158,7 @@ class LiveSupervisor:
     @property
     def incidents(self) -> List[Mapping[str, Any]]:
         """The incidents that last, as fields of their messages, by start; under the node's lock."""
-        return sorted(self._open_incidents.values(), key=lambda fields: float(fields["start"]))
+        return self._open_incidents.listed()
 
     @property
     def known_tasks(self) -> Tuple[str, ...]:
@@ -177,8 +177,7 @@ class LiveSupervisor:
         for topic, (type_name, latched) in _PUBLISHED.items():
             self.node.advertise(topic, type_name, latched)
         self.node.on_time_jump(self.jumped)
-        self.node.on_misfit(self._misfit)
-        self.node.on_master(self._master_changed)
+        self._health.open()
         self.node.on_shutdown(self._end_stream)
         self._thread.start()
 
@@ -207,7 +206,7 @@ class LiveSupervisor:
         )
         name = mission.application.package or mission.architecture.package
         if options.out is not None:
-            self._folder = OutputFolder.create(_free_folder(options.out), name, force=False)
+            self._folder = OutputFolder.create(free_folder(options.out), name, force=False)
         if options.record is not None:
             self._recording = Recording(free_bag(options.record, name))
             _log.info("recording=%s", self._recording.path)
@@ -294,10 +293,9 @@ class LiveSupervisor:
             return
         for message in observation.news():
             self._say(message)
-        if self._error is not None:
-            error, self._error = self._error, None
-            if self._ring is not None and self._snapshots.due(self.now):
-                self._snapshots.write(self._ring.last(), f"{error}-{self.now:.3f}")
+        error = self._open_incidents.take_error()
+        if error and self._ring is not None and self._snapshots.due(self.now):
+            self._snapshots.write(self._ring.last(), f"{error}-{self.now:.3f}")
 
     def _say(self, outgoing: Outgoing) -> None:
         """Publish, and take in what was published as it stands in a bag."""
@@ -321,18 +319,8 @@ class LiveSupervisor:
             _log.error("topic=%s a message cannot be published: %s", outgoing.topic, error)
             return
         if outgoing.topic == "/mrta/incident":
-            self._note_incident(fields)
+            self._open_incidents.note(fields)
         self._intake.take(stamped)
-
-    def _note_incident(self, fields: Mapping[str, Any]) -> None:
-        key = (fields["rule"], fields["start"], tuple(fields["robots"]), tuple(fields["tasks"]))
-        if fields["end"]:
-            self._open_incidents.pop(key, None)
-            return
-        self._open_incidents[key] = fields
-        _log.warning("incident=%s robots=%s tasks=%s %s", *key[:1], *key[2:], fields["text"])
-        if fields["severity"] == Severity.ERROR.rank:
-            self._error = str(fields["rule"])
 
     def _run(self) -> None:
         due = time.monotonic()
@@ -346,7 +334,7 @@ class LiveSupervisor:
                     if self._closed:
                         return
                     now = time.monotonic()
-                    self._delays.times.append(now - began)
+                    self._health.waited(now - began)
                     self.look_at_clock()
                     if now >= due:
                         fresh = self._tell_again(now)
@@ -381,12 +369,7 @@ class LiveSupervisor:
         receipt, observation = self._clock.receipt(), self.observation
         if observation is not None and receipt:
             self._tell_team(observation, receipt / _NS)
-        counts, delays = self._counts(), self._delays.take()
-        told = diagnostics(
-            self.node.name, self.node.now(), counts, self._before, seconds=wall - self._told_at, waits=delays
-        )
-        self.node.publish(told, receipt / _NS)
-        self._before, self._told_at = counts, wall
+        self._health.tell(self._counts(), wall, receipt / _NS)
         robots = set(self.known_robots)
         fresh = robots != self._robots
         self._robots = robots
@@ -401,30 +384,30 @@ class LiveSupervisor:
         self._say(team_markers(view, now))
 
     def _counts(self) -> Counts:
-        recording, ring, observation = self._recording, self._ring, self.observation
-        drawn = self._options.pictures > 0 and observation is not None
-        return Counts(
+        observation, recording, ring = self.observation, self._recording, self._ring
+        counts = Counts(
             heard=self.heard,
             topics=len(self._topics),
-            unreadable=0 if observation is None else observation.supervisor.unreadable,
-            misfits=self._misfits,
-            wrong_parameters=self._wrong_parameters,
             jumps=self._clock.jumps,
-            master_lost=self._master_lost,
-            mission="" if observation is None else _named(observation.mission),
-            recorded=None if recording is None else recording.messages,
-            backlog=0 if recording is None else recording.backlog,
-            unrecorded=0 if recording is None else recording.dropped,
-            recording="" if recording is None else str(recording.path),
-            failure="" if recording is None else recording.failure,
-            drawn=self._drawing.drawn if drawn else None,
             undrawn=self._pictures.undrawn,
             picture_seconds=self._drawing.seconds,
-            kept=0 if ring is None else len(ring),
-            kept_bytes=0 if ring is None else ring.size,
-            kept_dropped=0 if ring is None else ring.dropped,
-            memory=memory_in_use(),
         )
+        if observation is not None:
+            drawn = self._drawing.drawn if self._options.pictures > 0 else None
+            mission, unreadable = _named(observation.mission), observation.supervisor.unreadable
+            counts = replace(counts, mission=mission, unreadable=unreadable, drawn=drawn)
+        if recording is not None:
+            counts = replace(
+                counts,
+                recorded=recording.messages,
+                backlog=recording.backlog,
+                unrecorded=recording.dropped,
+                recording=str(recording.path),
+                failure=recording.failure,
+            )
+        if ring is not None:
+            counts = replace(counts, kept=len(ring), kept_bytes=ring.size, kept_dropped=ring.dropped)
+        return counts
 
     def _end_stream(self) -> None:
         """Say how things stand at the end, and take in nothing more."""
@@ -454,22 +437,6 @@ class LiveSupervisor:
             self._clock.newest / _NS,
         )
 
-    def _misfit(self, _misfit: object) -> None:
-        self._misfits += 1
-
-    def _master_changed(self, change: MasterChange) -> None:
-        self._master_lost += change is MasterChange.LOST
-
 
 def _named(mission: Mission) -> str:
     return mission.application.package or mission.architecture.package
-
-
-def _free_folder(folder: Path) -> Path:
-    """Choose the folder asked for, or else the first of ``<name>-2``, ``<name>-3``, ... that holds nothing."""
-    chosen = folder = folder.absolute()
-    number = 1
-    while chosen.exists() and not (chosen.is_dir() and not any(chosen.iterdir())):
-        number += 1
-        chosen = folder.with_name(f"{folder.name}-{number}")
-    return chosen

@@ -17,7 +17,7 @@ from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Stamped
 from rqt_mrta_py.transport import BagWriter
 
-__all__ = ["Recording", "free_bag"]
+__all__ = ["Recording", "free_bag", "free_folder"]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
@@ -56,6 +56,20 @@ def free_bag(path: Path, name: str) -> Path:
         number += 1
         bag = wanted.with_name(f"{wanted.stem}-{number}.bag")
     return bag
+
+
+def free_folder(folder: Path) -> Path:
+    """Choose the folder asked for, or else the first of ``<name>-2``, ``<name>-3``, ... that holds nothing.
+
+    Args:
+        folder: what is asked for.
+    """
+    chosen = folder = folder.absolute()
+    number = 1
+    while chosen.exists() and not (chosen.is_dir() and not any(chosen.iterdir())):
+        number += 1
+        chosen = folder.with_name(f"{folder.name}-{number}")
+    return chosen
 
 
 class Recording:
