@@ -92,6 +92,17 @@ class Asking:
         if not done:
             raise TransportError(f"parameter {name}: cannot be set: {text}")
 
+    def reaches(self, node: str) -> bool:
+        """Tell whether a node that the master knows answers; one that was killed is known until its name is taken anew.
+
+        Args:
+            node: resolved name.
+
+        Raises:
+            TransportError: no master answers.
+        """
+        return self._master.reaches(node)
+
     def graph(self) -> Graph:
         """Give what the master knows of nodes, topics and services.
 
