@@ -295,3 +295,30 @@ def test_line_ups_are_told_apart_however_many_there_are(codec: RosCodec) -> None
                 # Each tuple may take the place of an earlier one in memory.
                 dispatcher.feed_batch(Batch.of((first, second), 10**9, (b"", b"")))
         assert [topics for topics, _, _ in told] == expected
+
+
+@pytest.mark.parametrize("quiet", [True, False])
+def test_messages_handed_on_together_are_heard_and_watched_as_one_by_one(
+    listening: Listening, codec: RosCodec, quiet: bool
+) -> None:
+    sighted: List[Tuple[str, float, int]] = []
+
+    def watch(connections: Sequence[Connection]) -> Sighting:
+        (connection,) = connections
+        return lambda receipt, ordinals: sighted.append((connection.topic, receipt, ordinals[0]))
+
+    def together(messages: Sequence[Stamped], ordinals: Sequence[int]) -> None:
+        rows = zip(messages, ordinals)
+        sighted.extend((stamped.connection.topic, stamped.receipt_ns / 1e9, number) for stamped, number in rows)
+
+    listening.dispatcher.watch(watch)
+    listening.subscribe("/s", "std_msgs/String", "data")
+    read, unread = codec.connection("/s", "std_msgs/String", "/one"), codec.connection("/t", "std_msgs/String", "/one")
+    raw = codec.encode("std_msgs/String", {"data": "x"})
+    messages = [Stamped(made, second * 10**9, raw) for second, made in enumerate((read, unread, unread, read), start=1)]
+    listening.dispatcher.feed_all(messages, lambda until: quiet and until == 4.0, together)
+    assert sighted == [("/s", 1.0, 0), ("/t", 2.0, 0), ("/t", 3.0, 1), ("/s", 4.0, 1)]
+    assert [(heard.receipt, heard.ordinal, heard.fields) for heard in listening.heard] == [
+        (1.0, 0, {"data": "x"}),
+        (4.0, 1, {"data": "x"}),
+    ]
