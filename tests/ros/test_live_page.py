@@ -13,6 +13,7 @@ import shutil
 import signal
 import socket
 import subprocess
+import sys
 import threading
 import time
 from pathlib import Path
@@ -114,7 +115,7 @@ def terminals() -> Iterator[Dict[str, Terminal]]:
     for name in sorted(found, reverse=True):
         found[name].end()
         # Shown if the test failed.
-        print(name, *found[name].lines, sep="\n")
+        sys.stdout.write(f"{name}\n{''.join(found[name].lines)}")
 
 
 def test_the_page_is_a_session_that_works(

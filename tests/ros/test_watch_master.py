@@ -75,7 +75,7 @@ class Watcher:
             assert stream is not None
             stream.close()
 
-    def waits_for(self, wanted: Callable[[Dict[str, Any]], bool], timeout: float = 30.0) -> None:
+    def waits_for(self, wanted: Callable[[Dict[str, Any]], bool], timeout: float = 90.0) -> None:
         """Wait until a document has been printed; whatever was printed before it counts too."""
         wait_for(lambda: self.process.poll() is not None or any(map(wanted, self.documents)), timeout)
         assert any(map(wanted, self.documents)), (self.said, self.documents)
@@ -83,7 +83,7 @@ class Watcher:
     def interrupted(self) -> Dict[str, Any]:
         """Press Ctrl-C; give the last document."""
         self.process.send_signal(signal.SIGINT)
-        assert self.process.wait(20) == 130
+        assert self.process.wait(60) == 130
         for thread in self._threads:
             thread.join()
         assert self.documents[-1]["line"] == "end"
@@ -155,7 +155,7 @@ def test_a_team_of_which_nothing_is_known_but_its_architecture(master: MasterPro
 
 def test_a_mission_is_waited_for_and_the_next_one_begins_anew(master: MasterProcess, speaker: PythonProcess) -> None:
     with Watcher(master.environment) as watcher:
-        wait_for(lambda: any("does not say what it is about" in line for line in watcher.said), 30.0)
+        wait_for(lambda: any("does not say what it is about" in line for line in watcher.said), 90.0)
         speaker.do("announce('border_patrol')")
         watcher.waits_for(lambda found: found.get("application") == "border_patrol")
         speaker.do("speaking.set()")
