@@ -118,6 +118,7 @@ def terminals() -> Iterator[Dict[str, Terminal]]:
         sys.stdout.write(f"{name}\n{''.join(found[name].lines)}")
 
 
+@pytest.mark.long
 def test_the_page_is_a_session_that_works(
     environment: Dict[str, str], terminals: Dict[str, Terminal], tmp_path: Path
 ) -> None:

@@ -46,7 +46,7 @@ class Traffic:
 
     def recorded(self) -> CommunicationGraph:
         """Say what flowed so far, as a recording of it would."""
-        return recorded_communication((each, *span) for each, span in self._spans.items())
+        return recorded_communication((each, count, start, end) for each, (count, start, end) in self._spans.items())
 
     def flows(self, now: float) -> Tuple[Flow, ...]:
         """Say what flows; to be asked now and again, for a rate is what came between two such moments.
