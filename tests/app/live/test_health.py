@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Dict, Tuple
+from typing import Any, Dict, Sequence, Tuple
 
 import pytest
 
 from rqt_mrta_py.app.compose import compose
-from rqt_mrta_py.app.live.health import Counts, Waits, diagnostics, memory_in_use
+from rqt_mrta_py.app.live.health import Counts, diagnostics, memory_in_use
 
 HEALTHY = Counts(heard=3000, topics=100, mission="yard", recorded=2990, backlog=10, recording="/tmp/a.bag", drawn=3)
 
 
-def told(counts: Counts, waits: Waits) -> Dict[str, Tuple[int, str, Dict[str, str]]]:
+def told(counts: Counts, waits: Sequence[float]) -> Dict[str, Tuple[int, str, Dict[str, str]]]:
     before = dataclasses.replace(HEALTHY, heard=1000, recorded=1000, drawn=1)
     message = diagnostics("/supervisor", 5.0, counts, before, seconds=2.0, waits=waits)
     assert message.topic == "/diagnostics"
@@ -28,7 +28,7 @@ def told(counts: Counts, waits: Waits) -> Dict[str, Tuple[int, str, Dict[str, st
 
 
 def test_healthy_supervisor_says_how_much_it_does() -> None:
-    status = told(HEALTHY, Waits([0.001, 0.003], [0.2]))
+    status = told(HEALTHY, [0.001, 0.003])
     assert list(status) == [f"supervisor: {part}" for part in ("stream", "hearing", "recording", "pictures", "memory")]
     assert [level for level, _, _ in status.values()] == [0, 0, 0, 0, 0]
     assert status["supervisor: stream"][2]["messages a second"] == "1000.0"
@@ -53,7 +53,7 @@ def test_healthy_supervisor_says_how_much_it_does() -> None:
 def test_what_is_wrong_is_said_where_it_is(
     change: Dict[str, Any], waits: Tuple[float, ...], part: str, level: int, message: str
 ) -> None:
-    status = told(dataclasses.replace(HEALTHY, **change), Waits(list(waits)))
+    status = told(dataclasses.replace(HEALTHY, **change), list(waits))
     assert status[f"supervisor: {part}"][:2] == (level, message)
 
 

@@ -1,10 +1,11 @@
 """What nodes are made of: supervision, agents and worlds on a live graph.
 
-* ``live_supervisor``: hears the stream, says what is new, records, draws; ``supervisor_services``: what it is asked
+* ``live_supervisor``: hears the stream, says what is new, records, draws; ``voice``: what it says;
+  ``supervisor_services``: what it is asked
 * ``intake``: which messages are taken in at once; ``live_pictures``: pictures at a period
 * ``options``: its private parameters; ``interest``: which topics it hears; ``stream_clock``: its times of receipt
 * ``recording``: into a bag, beside the stream; ``ring_buffer``, ``snapshots``: the last seconds, when they matter
-* ``drawing``: pictures in another process; ``health``, ``health_report``: how the supervisor itself is
+* ``drawing``: pictures in another process; ``health``, ``health_report``, ``tally``: how the supervisor itself is
 * ``orders``: what operators order; ``open_incidents``: what is wrong now
 * ``live_run``: a mission as nodes, from what the user asks for to its outputs; ``node_processes``, ``own_master``: what
   it starts; ``tick_stream``: what it hears, tick by tick

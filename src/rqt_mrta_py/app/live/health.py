@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 import threading
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Any, Dict, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import Outgoing
 
-__all__ = ["DIAGNOSTICS_TOPIC", "Counts", "Waits", "diagnostics", "memory_in_use"]
+__all__ = ["DIAGNOSTICS_TOPIC", "Counts", "diagnostics", "memory_in_use"]
 
 DIAGNOSTICS_TOPIC = "/diagnostics"
 _TYPE = "diagnostic_msgs/DiagnosticArray"
@@ -74,26 +74,9 @@ class Counts:
     memory: int = 0
 
 
-@dataclass
-class Waits:
-    """How long it took to be heard, lately.
-
-    Attributes:
-        times: for the lock, whoever was served meanwhile; where it is long, messages wait as long [s].
-        ages: of messages with a header when they came, by their stamps [s]; they tell clocks that differ too.
-    """
-
-    times: List[float] = field(default_factory=list)
-    ages: List[float] = field(default_factory=list)
-
-    def take(self) -> Waits:
-        """Give what was collected, and begin anew."""
-        taken = Waits(self.times, self.ages)
-        self.times, self.ages = [], []
-        return taken
-
-
-def diagnostics(node: str, now: float, counts: Counts, before: Counts, *, seconds: float, waits: Waits) -> Outgoing:
+def diagnostics(
+    node: str, now: float, counts: Counts, before: Counts, *, seconds: float, waits: Sequence[float]
+) -> Outgoing:
     """Tell how a supervisor is.
 
     Args:
@@ -102,11 +85,11 @@ def diagnostics(node: str, now: float, counts: Counts, before: Counts, *, second
         counts: what it has counted.
         before: what it had counted when this was told the last time.
         seconds: how long ago that is [s].
-        waits: since then.
+        waits: for the lock since then, each of whoever was served; where it is long, messages wait as long [s].
     """
     parts: Dict[str, _Status] = {
         "stream": _stream(counts, before, seconds),
-        "hearing": _hearing(counts, waits),
+        "hearing": _hearing(waits),
         "recording": _recording(counts, before),
         "pictures": _pictures(counts, before),
         "memory": _memory(counts, before),
@@ -153,12 +136,11 @@ def _stream(counts: Counts, before: Counts, seconds: float) -> _Status:
     return (_WARN, "cannot read all that it hears", values) if wrong else (_OK, f"hears {rate:.0f}/s", values)
 
 
-def _hearing(counts: Counts, waits: Waits) -> _Status:
-    longest = max(waits.times, default=0.0)
+def _hearing(waits: Sequence[float]) -> _Status:
+    longest = max(waits, default=0.0)
     values = {
-        "wait, mean [ms]": _milliseconds(_mean(waits.times)),
+        "wait, mean [ms]": _milliseconds(_mean(waits)),
         "wait, longest [ms]": _milliseconds(longest),
-        "age of messages by their stamps, mean [ms]": _milliseconds(_mean(waits.ages)),
         "threads": threading.active_count(),
     }
     return (_WARN, "messages wait to be heard", values) if longest > _LONG_WAIT else (_OK, "keeps up", values)

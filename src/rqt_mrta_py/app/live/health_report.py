@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
+from typing import List
 
-from rqt_mrta_py.app.live.health import Counts, Waits, diagnostics, memory_in_use
+from rqt_mrta_py.app.live.health import Counts, diagnostics, memory_in_use
 from rqt_mrta_py.transport.ros1 import MasterChange, RosNode
 
 __all__ = ["HealthReport"]
@@ -23,7 +24,8 @@ class HealthReport:
         self._node = node
         self._wrong_parameters = wrong_parameters
         self._misfits = self._master_lost = 0
-        self._waits, self._before, self._told_at = Waits(), Counts(), time.monotonic()
+        self._waits: List[float] = []
+        self._before, self._told_at = Counts(), time.monotonic()
 
     def open(self) -> None:
         """Count from now on what the node notices."""
@@ -32,7 +34,7 @@ class HealthReport:
 
     def waited(self, seconds: float) -> None:
         """Take note how long somebody waited for the lock [s]."""
-        self._waits.times.append(seconds)
+        self._waits.append(seconds)
 
     def tell(self, counts: Counts, wall: float, now: float) -> None:
         """Publish how things are.
@@ -49,7 +51,8 @@ class HealthReport:
             master_lost=self._master_lost,
             memory=memory_in_use(),
         )
-        waits, seconds = self._waits.take(), wall - self._told_at
+        waits, seconds = self._waits, wall - self._told_at
+        self._waits = []
         told = diagnostics(self._node.name, self._node.now(), counts, self._before, seconds=seconds, waits=waits)
         self._node.publish(told, now)
         self._before, self._told_at = counts, wall

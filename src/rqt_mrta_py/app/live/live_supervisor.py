@@ -10,14 +10,13 @@ import logging
 import threading
 import time
 from dataclasses import replace
-from itertools import count
 from pathlib import Path
-from typing import Any, Dict, List, Mapping, Optional, Set, Tuple
+from typing import Any, List, Mapping, Optional, Set, Tuple
 
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.live.drawing import Drawing
-from rqt_mrta_py.app.live.health import DIAGNOSTICS_TOPIC, Counts
+from rqt_mrta_py.app.live.health import Counts
 from rqt_mrta_py.app.live.health_report import HealthReport
 from rqt_mrta_py.app.live.intake import Intake
 from rqt_mrta_py.app.live.interest import Interest
@@ -28,14 +27,15 @@ from rqt_mrta_py.app.live.recording import Recording, free_bag, free_folder
 from rqt_mrta_py.app.live.ring_buffer import RingBuffer
 from rqt_mrta_py.app.live.snapshots import Snapshots
 from rqt_mrta_py.app.live.stream_clock import StreamClock
+from rqt_mrta_py.app.live.tally import with_messages_kept, with_pictures
+from rqt_mrta_py.app.live.voice import Voice
 from rqt_mrta_py.app.live.ways import foreseen_topics, overhear
 from rqt_mrta_py.app.mission_message import mission_message
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs.folder import OutputFolder
-from rqt_mrta_py.app.outputs.pictures import PICTURE_TOPIC
 from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch, write_results
-from rqt_mrta_py.errors import MrtaError, UsageError
-from rqt_mrta_py.hooks import Connection, MonitorView, Outgoing, Stamped
+from rqt_mrta_py.errors import UsageError
+from rqt_mrta_py.hooks import MonitorView, Outgoing, Stamped
 from rqt_mrta_py.model import Mission, MissionRecord
 from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
 from rqt_mrta_py.supervisor import team_news
@@ -52,20 +52,6 @@ _CATCH_UP = 4
 """With each so manieth look what waits is taken in, though nothing is due."""
 _STATE_PERIOD = 1.0
 """How often team, markers and health are told, on the wall [s]."""
-
-_PUBLISHED: Mapping[str, Tuple[str, bool]] = {
-    "/mrta/allocation": ("rqt_mrta_py/Allocation", False),
-    "/mrta/event": ("rqt_mrta_py/Event", False),
-    "/mrta/incident": ("rqt_mrta_py/Incident", True),
-    MARKERS_TOPIC: ("visualization_msgs/MarkerArray", False),
-    PICTURE_TOPIC: ("sensor_msgs/CompressedImage", False),
-    "/mrta/robot_state": ("rqt_mrta_py/RobotState", True),
-    "/mrta/task_progress": ("rqt_mrta_py/TaskProgress", False),
-    "/mrta/task_state": ("rqt_mrta_py/TaskState", True),
-    "/mrta/team_state": ("rqt_mrta_py/TeamState", True),
-    DIAGNOSTICS_TOPIC: ("diagnostic_msgs/DiagnosticArray", False),
-}
-"""What a supervisor says besides /rosout: type by topic, and whether late subscribers get the last message."""
 
 
 class LiveSupervisor:
@@ -101,7 +87,7 @@ class LiveSupervisor:
         self._pictures = LivePictures(self._drawing, options.pictures, node.lock, self._say)
         self._folder: Optional[OutputFolder] = None
         self._stopwatch = Stopwatch()
-        self._connections: Dict[str, Tuple[Connection, Any]] = {}
+        self._voice = Voice(node)
         self._open_incidents = OpenIncidents()
         self._robots: Set[str] = set()
         self._topics: Set[str] = set()
@@ -174,8 +160,7 @@ class LiveSupervisor:
 
     def open(self) -> None:
         """Tell the graph what will be published, and let time pass."""
-        for topic, (type_name, latched) in _PUBLISHED.items():
-            self.node.advertise(topic, type_name, latched)
+        self._voice.open()
         self.node.on_time_jump(self.jumped)
         self._health.open()
         self.node.on_shutdown(self._end_stream)
@@ -302,24 +287,11 @@ class LiveSupervisor:
         if self._intake is None or self._closed:
             return
         self._intake.catch_up()
-        latched = outgoing.latched or _PUBLISHED.get(outgoing.topic, ("", False))[1]
-        receipt = self._clock.receipt()
-        known = self._connections.get(outgoing.topic)
-        if known is None:
-            connection = self.node.codec.connection(outgoing.topic, outgoing.type, self.node.name, latched)
-            known = self._connections[outgoing.topic] = (connection, count(1))
-        connection, numbers = known
-        fields = outgoing.fields
-        if "header" in fields:
-            fields = {**fields, "header": {**fields["header"], "seq": next(numbers)}}
-        try:
-            stamped = Stamped(connection, receipt, self.node.codec.encode(outgoing.type, fields))
-            self.node.pass_on(stamped)
-        except MrtaError as error:
-            _log.error("topic=%s a message cannot be published: %s", outgoing.topic, error)
+        stamped = self._voice.say(outgoing, self._clock.receipt())
+        if stamped is None:
             return
         if outgoing.topic == "/mrta/incident":
-            self._open_incidents.note(fields)
+            self._open_incidents.note(outgoing.fields)
         self._intake.take(stamped)
 
     def _run(self) -> None:
@@ -376,7 +348,7 @@ class LiveSupervisor:
         return fresh
 
     def _tell_team(self, observation: Observation, now: float) -> None:
-        if self._recording is None and not self.node.is_heard(MARKERS_TOPIC, *_PUBLISHED[MARKERS_TOPIC]):
+        if self._recording is None and not self._voice.is_heard(MARKERS_TOPIC):
             self._say(team_news(observation.supervisor.record(now), now))
             return
         view = observation.view_without_panels(now)
@@ -384,30 +356,14 @@ class LiveSupervisor:
         self._say(team_markers(view, now))
 
     def _counts(self) -> Counts:
-        observation, recording, ring = self.observation, self._recording, self._ring
-        counts = Counts(
-            heard=self.heard,
-            topics=len(self._topics),
-            jumps=self._clock.jumps,
-            undrawn=self._pictures.undrawn,
-            picture_seconds=self._drawing.seconds,
-        )
+        observation = self.observation
+        counts = Counts(heard=self.heard, topics=len(self._topics), jumps=self._clock.jumps)
         if observation is not None:
-            drawn = self._drawing.drawn if self._options.pictures > 0 else None
             mission, unreadable = _named(observation.mission), observation.supervisor.unreadable
-            counts = replace(counts, mission=mission, unreadable=unreadable, drawn=drawn)
-        if recording is not None:
-            counts = replace(
-                counts,
-                recorded=recording.messages,
-                backlog=recording.backlog,
-                unrecorded=recording.dropped,
-                recording=str(recording.path),
-                failure=recording.failure,
-            )
-        if ring is not None:
-            counts = replace(counts, kept=len(ring), kept_bytes=ring.size, kept_dropped=ring.dropped)
-        return counts
+            counts = replace(counts, mission=mission, unreadable=unreadable)
+            if self._options.pictures > 0:
+                counts = with_pictures(counts, self._drawing, self._pictures)
+        return with_messages_kept(counts, self._recording, self._ring)
 
     def _end_stream(self) -> None:
         """Say how things stand at the end, and take in nothing more."""
