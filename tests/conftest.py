@@ -26,11 +26,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    if config.getoption("--long"):
-        # For properties that do not say themselves how many examples they need.
-        settings.register_profile("long", settings(), max_examples=400)
-        settings.load_profile("long")
-    else:
+    # A machine that is busy is no reason to fail.
+    settings.register_profile("patient", deadline=None)
+    # For properties that do not say themselves how many examples they need.
+    settings.register_profile("long", deadline=None, max_examples=400)
+    settings.load_profile("long" if config.getoption("--long") else "patient")
+    if not config.getoption("--long"):
         # Compiling takes a minute; what would be compiled gives the same numbers as it stands.
         os.environ["NUMBA_DISABLE_JIT"] = "1"
 
