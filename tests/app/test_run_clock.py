@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from rqt_mrta_py.app.run.embedded import RunClock
+from rqt_mrta_py.app.run.clock import RunClock
 
 
 @pytest.mark.parametrize(
