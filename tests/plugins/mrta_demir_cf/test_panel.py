@@ -62,3 +62,18 @@ def test_long_missions_are_thinned(panel: CostPanel) -> None:
     for number in range(3000):
         tell(panel, 2.0 * number, 1.0)
     assert len(panel.view(0.0, 6000.0).groups[0].curves[0].times) <= 400
+
+
+def test_what_stands_for_an_unknown_cost_is_not_drawn() -> None:
+    mission = Mission(
+        ApplicationSpec("yard", "Yard", robots=(ApplicationRobot("a"), ApplicationRobot("b"))),
+        ArchitectureSpec("mrta_demir_cf", "DEMiR-CF", Taxonomy.parse("ST-SR-IA")),
+        (Task("t", "any"),),
+        parameters={"b": {"unknown_cost": 70.0}},
+    )
+    panel = CostPanel(PanelSetup(mission))
+    for robot in ("a", "b"):
+        for time, cost in ((1.0, 1000.0), (2.0, 70.0), (3.0, 4.0)):
+            tell(panel, time, cost, robot)
+    values = [group.curves[0].values for group in panel.view(0.0, 9.0).groups]
+    assert values == [(70.0, 4.0), (1000.0, 4.0)]

@@ -61,3 +61,9 @@ def test_strangers_join_at_the_end(panel: CostPanel) -> None:
 def test_axis_ends_at_a_round_number(panel: CostPanel, cost: float, top: float) -> None:
     panel.hear(bid("a", {"t": cost}, 1.0))
     assert panel.view(0.0, 2.0).top == top
+
+
+def test_what_stands_for_an_unknown_cost_is_not_drawn(panel: CostPanel) -> None:
+    for time, cost in ((1.0, 1000.0), (2.0, 4.0)):
+        panel.hear(bid("a", {"t": cost}, time))
+    assert panel.view(0.0, 9.0).groups[0].curves[0].values == (4.0,)

@@ -6,6 +6,7 @@ from typing import Sequence
 
 from mrta_demir_cf.message_kinds import SUBSCRIPTIONS, Kind
 from mrta_demir_cf.messages import read_message
+from mrta_demir_cf.parameters import DemirCfParameters
 from rqt_mrta_py.hooks import CurvePanel, CurveTrace, Heard, PanelSetup, Subscription, TeamTraces, nice_top
 
 __all__ = ["CostPanel"]
@@ -25,15 +26,19 @@ class CostPanel:
 
     def __init__(self, setup: PanelSetup) -> None:
         self._traces = TeamTraces(setup.mission, lambda: CurveTrace(_SILENCE))
+        told = {robot: given.get("unknown_cost") for robot, given in setup.mission.parameters.items()}
+        self._unknown = {robot: cost for robot, cost in told.items() if isinstance(cost, (int, float))}
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Say what to hear: all robots' executions."""
         return (_SUBSCRIPTION,)
 
     def hear(self, heard: Heard) -> None:
-        """Take in one message."""
+        """Take in one message; what stands for a cost that nobody knows is not drawn."""
         message = read_message(heard)
-        if not isinstance(message, str):
+        if isinstance(message, str):
+            return
+        if message.cost != self._unknown.get(message.robot, DemirCfParameters.unknown_cost):
             self._traces.of(message.robot, message.task).add(heard.receipt, message.cost)
 
     def view(self, start: float, end: float) -> CurvePanel:
