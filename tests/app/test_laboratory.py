@@ -260,21 +260,25 @@ def test_processes_end_with_the_one_that_asks_them(number: signal.Signals) -> No
         "import os, time\n"
         "from rqt_mrta_py.app.bench.workers import in_order\n"
         "def work(number):\n"
-        "    print(os.getpid(), flush=True)\n"
+        # One call, so that the lines of two processes do not mix in the pipe.
+        "    os.write(1, b'%d\\n' % os.getpid())\n"
         "    time.sleep(60)\n"
         "list(in_order(work, range(4), 2))\n"
     )
-    process = subprocess.Popen(
+    with subprocess.Popen(
         [sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, start_new_session=True
-    )
-    assert process.stdout is not None
-    workers = {int(process.stdout.readline()) for _ in range(2)}
-    if number is signal.SIGINT:
-        os.killpg(process.pid, number)
-    else:
-        process.send_signal(number)
-    # The pipe's end is reached once nobody is left to write to it.
-    rest = process.communicate(timeout=30)[0]
+    ) as process:
+        try:
+            assert process.stdout is not None
+            workers = {int(process.stdout.readline()) for _ in range(2)}
+            if number is signal.SIGINT:
+                os.killpg(process.pid, number)
+            else:
+                process.send_signal(number)
+            # The pipe's end is reached once nobody is left to write to it.
+            rest = process.communicate(timeout=30)[0]
+        finally:
+            process.kill()
 
     assert process.returncode != 0
     assert rest == b""
