@@ -6,10 +6,21 @@ coordinates are integers, so that ties are ties.
 
 from __future__ import annotations
 
+from typing import Tuple
+
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Floats", "Indices", "Mask", "checked_distances", "checked_mask", "checked_points", "squared_distances"]
+__all__ = [
+    "Floats",
+    "Indices",
+    "Mask",
+    "checked_distances",
+    "checked_mask",
+    "checked_points",
+    "checked_situation",
+    "squared_distances",
+]
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -66,6 +77,29 @@ def checked_distances(name: str, distances: Floats, length: int) -> Floats:
         index = int(np.flatnonzero(wrong)[0])
         raise ValueError(f"{name}[{index}]: is {array[index]:g} m; give at least 0 m, or inf for what is out of reach")
     return array
+
+
+def checked_situation(robot: int, robots: Floats, targets: Floats, open: Mask) -> Tuple[Floats, Floats, Indices]:
+    """Accept what a robot decides by.
+
+    Args:
+        robot: a row of ``robots``.
+        robots: (M, 2) [m].
+        targets: (N, 2) [m].
+        open: (N,), which targets are open.
+
+    Returns:
+        Robots and targets as ``checked_points`` gives them; indices of open targets, rising.
+
+    Raises:
+        ValueError: a shape is wrong, a coordinate is not finite, or there is no such robot.
+    """
+    robots = checked_points("robots", robots)
+    targets = checked_points("targets", targets)
+    candidates = np.flatnonzero(checked_mask("open", open, len(targets)))
+    if not 0 <= robot < len(robots):
+        raise ValueError(f"robot: is {robot}; give a row of robots, 0 <= robot < {len(robots)}")
+    return robots, targets, candidates
 
 
 def squared_distances(place: Floats, points: Floats) -> Floats:

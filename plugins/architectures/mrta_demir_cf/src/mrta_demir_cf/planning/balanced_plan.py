@@ -25,7 +25,7 @@ from typing import AbstractSet, Generic, Hashable, Mapping, Optional, Tuple, Typ
 
 import numpy as np
 
-from mrta_demir_cf.planning.arrays import Floats, Mask, checked_mask, checked_points, squared_distances
+from mrta_demir_cf.planning.arrays import Floats, Mask, checked_points, checked_situation, squared_distances
 from mrta_demir_cf.planning.selection import Selection
 
 __all__ = ["KeptPlan", "Plan", "balanced_routes"]
@@ -135,11 +135,7 @@ class KeptPlan:
         Raises:
             ValueError: as ``select``.
         """
-        robots = checked_points("robots", robots)
-        targets = checked_points("targets", targets)
-        candidates = np.flatnonzero(checked_mask("open", open, len(targets)))
-        if not 0 <= robot < len(robots):
-            raise ValueError(f"robot: is {robot}; give a row of robots, 0 <= robot < {len(robots)}")
+        robots, targets, candidates = checked_situation(robot, robots, targets, open)
         still_open = set(candidates.tolist())
         same = np.array_equal(targets, self._targets)
         if not (same and self._plan.stands(set(range(len(robots))), still_open, {})):

@@ -26,8 +26,7 @@ from mrta_demir_cf.planning.arrays import (
     Indices,
     Mask,
     checked_distances,
-    checked_mask,
-    checked_points,
+    checked_situation,
     squared_distances,
 )
 from mrta_demir_cf.planning.rough_schedule import owners
@@ -77,11 +76,7 @@ class Rollout:
         Raises:
             ValueError: as ``select``.
         """
-        robots = checked_points("robots", robots)
-        targets = checked_points("targets", targets)
-        candidates = np.flatnonzero(checked_mask("open", open, len(targets)))
-        if not 0 <= robot < len(robots):
-            raise ValueError(f"robot: is {robot}; give a row of robots, 0 <= robot < {len(robots)}")
+        robots, targets, candidates = checked_situation(robot, robots, targets, open)
         if distances is not None:
             distances = checked_distances("distances", distances, len(targets))
             candidates = candidates[np.isfinite(distances[candidates])]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from mrta_demir_cf.planning.arrays import Floats, Indices, Mask, checked_mask, checked_points, squared_distances
+from mrta_demir_cf.planning.arrays import Floats, Indices, Mask, checked_situation, squared_distances
 
 __all__ = ["owners", "rough_schedule"]
 
@@ -38,11 +38,7 @@ def rough_schedule(robot: int, robots: Floats, targets: Floats, open: Mask) -> I
     Raises:
         ValueError: a shape is wrong, a coordinate is not finite, or there is no such robot.
     """
-    robots = checked_points("robots", robots)
-    targets = checked_points("targets", targets)
-    candidates = np.flatnonzero(checked_mask("open", open, len(targets)))
-    if not 0 <= robot < len(robots):
-        raise ValueError(f"robot: is {robot}; give a row of robots, 0 <= robot < {len(robots)}")
+    robots, targets, candidates = checked_situation(robot, robots, targets, open)
     schedule: Indices = candidates[owners(robots, targets[candidates]) == robot]
     return schedule
 
