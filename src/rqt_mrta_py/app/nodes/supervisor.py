@@ -12,9 +12,9 @@ from rqt_mrta_py.app.live.live_supervisor import LiveSupervisor
 from rqt_mrta_py.app.live.options import LiveOptions, ParameterReader, read_options
 from rqt_mrta_py.app.live.supervisor_services import serve_supervisor
 from rqt_mrta_py.app.mission_message import MISSION_TOPIC, MISSION_TYPE, mission_from_fields
+from rqt_mrta_py.app.mission_source import named_mission
 from rqt_mrta_py.app.nodes.frame import Ending, node_main
 from rqt_mrta_py.app.run.collector import rare_collections
-from rqt_mrta_py.config.mission import load_mission, load_observed
 from rqt_mrta_py.errors import MrtaError
 from rqt_mrta_py.hooks import Stamped
 from rqt_mrta_py.model import Mission
@@ -115,7 +115,7 @@ def _work(node: RosNode, host: Host, ending: Ending) -> None:
     options = read_options(reader)
     for problem in reader.problems:
         _log.error("%s", problem)
-    given = _given(host, options)
+    given = named_mission(host, options.application, options.architecture, name="")
     supervisor = LiveSupervisor(node, host, options, len(reader.problems))
     serve_supervisor(supervisor, options)
     supervisor.open()
@@ -139,20 +139,6 @@ def _work(node: RosNode, host: Host, ending: Ending) -> None:
         raise supervisor.failure
     if result is not None:
         _log.info("%s", result.text())
-
-
-def _given(host: Host, options: LiveOptions) -> Optional[Mission]:
-    """Load what the parameters name."""
-    if options.application is not None:
-        return load_mission(
-            host.registry,
-            options.application,
-            architecture=options.architecture,
-            seed=None,
-            checks=host.manager,
-            must_fit=False,
-        )
-    return None if options.architecture is None else load_observed(host.registry, options.architecture)
 
 
 def _mission(ear: MissionEar, given: Optional[Mission], options: LiveOptions, ending: Ending) -> Optional[Told]:
