@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import os
 import socket
 import subprocess
 import xmlrpc.client
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any, Dict, Iterator, Mapping, Optional
 
-__all__ = ["MasterProcess", "running_master", "say"]
+__all__ = ["MasterProcess", "ros_environment", "running_master", "say"]
 
 _SCRIPT = """\
 import sys, rosmaster.master
@@ -18,6 +20,11 @@ print('ready', flush=True)
 sys.stdin.read()
 master.stop()
 """
+
+
+def ros_environment(home: Path) -> Dict[str, str]:
+    """Give an environment for processes that use ROS, whose logs and caches stay in a folder."""
+    return {**os.environ, "ROS_HOME": str(home), "ROS_LOG_DIR": str(home), "ROS_HOSTNAME": "127.0.0.1"}
 
 
 class MasterProcess:

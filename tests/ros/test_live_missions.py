@@ -6,14 +6,14 @@ import os
 import signal
 import xmlrpc.client
 from pathlib import Path
-from typing import Dict, Iterator, Tuple
+from typing import Dict, Tuple
 
 import pytest
 
 from rqt_mrta_py.app.cli.main import main
 from tests.ros.live_team import LiveRun, patrol_in, robot_agent
 from tests.ros_master import MasterProcess
-from tests.ros_process import PythonProcess, require_live_ros, wait_for
+from tests.ros_process import PythonProcess, wait_for
 
 pytestmark = pytest.mark.ros
 
@@ -66,16 +66,6 @@ host = compose()
 arguments = ["_robot:=robot1", "_own_time:=false"]
 spare = multiprocessing.get_context("fork").Process(target=agent.main, args=(arguments, host))
 """
-
-
-@pytest.fixture(scope="module")
-def master(tmp_path_factory: pytest.TempPathFactory) -> Iterator[MasterProcess]:
-    require_live_ros()
-    home = str(tmp_path_factory.mktemp("ros"))
-    process = MasterProcess({**os.environ, "ROS_HOME": home, "ROS_LOG_DIR": home})
-    process.start()
-    yield process
-    process.stop()
 
 
 @pytest.mark.parametrize(

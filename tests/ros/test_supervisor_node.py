@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import signal
 import subprocess
 import sys
@@ -18,7 +17,7 @@ from rqt_mrta_py.app.review_bag import ReviewRequest, review_bag
 from rqt_mrta_py.transport import ChunkWalk, read_bag
 from tests.ros.live_team import Process
 from tests.ros_master import MasterProcess
-from tests.ros_process import PythonProcess, require_live_ros, wait_for
+from tests.ros_process import PythonProcess, wait_for
 
 pytestmark = pytest.mark.ros
 
@@ -73,22 +72,6 @@ def garbage():
     connection = codec.connection(*MOTIVATION)
     node.pass_on(Stamped(connection, 0, b"\\xff\\xff\\xff\\xff\\xff"))
 """
-
-
-@pytest.fixture(scope="module")
-def environment(tmp_path_factory: pytest.TempPathFactory) -> Dict[str, str]:
-    """Give an environment for processes that use ROS; skip without ROS."""
-    require_live_ros()
-    home = str(tmp_path_factory.mktemp("ros"))
-    return {**os.environ, "ROS_HOME": home, "ROS_LOG_DIR": home, "ROS_HOSTNAME": "127.0.0.1"}
-
-
-@pytest.fixture(scope="module")
-def master(environment: Dict[str, str]) -> Iterator[MasterProcess]:
-    process = MasterProcess(environment)
-    process.start()
-    yield process
-    process.stop()
 
 
 @pytest.fixture(scope="module")

@@ -104,16 +104,6 @@ def event(kind: str, **wanted: str) -> Callable[[Dict[str, Any]], bool]:
 
 
 @pytest.fixture(scope="module")
-def master(tmp_path_factory: pytest.TempPathFactory) -> Iterator[MasterProcess]:
-    require_live_ros()
-    home = str(tmp_path_factory.mktemp("ros"))
-    process = MasterProcess({**os.environ, "ROS_HOME": home, "ROS_LOG_DIR": home})
-    process.start()
-    yield process
-    process.stop()
-
-
-@pytest.fixture(scope="module")
 def speaker(master: MasterProcess) -> Iterator[PythonProcess]:
     """Start a node that speaks as robot1 of border_patrol would."""
     with PythonProcess(master.environment) as process:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from typing import Dict, Iterator
 
 import pytest
 
-from tests.ros_master import MasterProcess
+from tests.ros_master import MasterProcess, ros_environment
 from tests.ros_process import PythonProcess, require_live_ros
 from tests.transport.ros1.nodes import OURS, STRANGER
 
@@ -16,8 +15,7 @@ from tests.transport.ros1.nodes import OURS, STRANGER
 def ros_home(tmp_path_factory: pytest.TempPathFactory) -> Dict[str, str]:
     """Give an environment for processes that use ROS; skip without ROS."""
     require_live_ros()
-    home = str(tmp_path_factory.mktemp("ros"))
-    return {**os.environ, "ROS_HOME": home, "ROS_LOG_DIR": home, "ROS_HOSTNAME": "127.0.0.1"}
+    return ros_environment(tmp_path_factory.mktemp("ros"))
 
 
 @pytest.fixture(scope="session")
