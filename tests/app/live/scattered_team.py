@@ -26,11 +26,20 @@ WATCHER = "/supervisor"
 class ScatteredTeam:
     """World, agents and a watcher, each of which knows only what has reached it."""
 
-    def __init__(self, mission: Mission, duration: float, codec: Codec, manager: PluginManager, chance: int) -> None:
+    def __init__(
+        self,
+        mission: Mission,
+        duration: float,
+        codec: Codec,
+        manager: PluginManager,
+        chance: int,
+        *,
+        lock_step: bool = True,
+    ) -> None:
         self._codec = codec
         self._chance = random.Random(chance)
         self._world = WorldSide(mission, duration, codec, manager)
-        self._turns = WorldTurns(self._world, lock_step=True)
+        self._turns = WorldTurns(self._world, lock_step)
         scenario = self._world.scenario
         models = manager.registered("mrta_register_robot_models")
         maker = HostMaker(
@@ -91,6 +100,28 @@ class ScatteredTeam:
         while self._watcher.missing:
             self._deliver_something()
         yield from self._heard(self._world.last_tick + 1)
+
+    def run_freely(self) -> Iterator[Stamped]:
+        """Give everything that was said, if nobody waits but all that is said arrives before the next tick."""
+        for tick in range(self._world.last_tick + 1):
+            said, news = self._turns.open(tick)
+            yield from said
+            self._send(said)
+            waiting = list(self._agents)
+            for agent in self._agents.values():
+                agent.begin(news)
+            while waiting:
+                ready = [name for name in waiting if not self._agents[name].missing]
+                if ready and self._chance.random() < 0.3:
+                    name = self._chance.choice(ready)
+                    waiting.remove(name)
+                    self._take_turn(name, news)
+                    yield from self._spoken
+                else:
+                    self._deliver_something()
+            while any(self._under_way.values()):
+                self._deliver_something()
+            self._turns.close()
 
     def close(self) -> None:
         self._world.close()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Dict, List, Sequence, Tuple
+from typing import Dict, Iterable, List, Sequence, Tuple
 
 import pytest
 
@@ -39,6 +39,23 @@ def troubled(mission: Mission) -> Mission:
     return dataclasses.replace(mission, scenario=dataclasses.replace(mission.scenario, world="planar", events=events))
 
 
+def one_process(host: Host, mission: Mission) -> List[Stamped]:
+    """Run a mission as on the embedded bus; give everything that is said."""
+    said: List[Stamped] = []
+    run = EmbeddedRun(mission, 2.5, host.codec(), host.manager)
+    run.bus.tap(said.extend)
+    for tick in range(run.last_tick + 1):
+        run.step(tick)
+    run.close()
+    return said
+
+
+def loaded(host: Host, application: str, architecture: str) -> Mission:
+    kinds = host.manager.registered("mrta_register_behaviours")
+    mission = load_mission(host.registry, application, architecture, seed=3, checks=host.manager, kinds=kinds)
+    return troubled(mission) if application == "border_patrol" else mission
+
+
 @pytest.mark.parametrize(
     ("application", "architecture"),
     [("border_patrol", "mrta_alliance"), ("border_patrol", "mrta_l_alliance"), ("target_visiting", "mrta_demir_cf")],
@@ -46,17 +63,9 @@ def troubled(mission: Mission) -> Mission:
 def test_every_message_of_a_scattered_team_is_that_of_a_run_in_one_process(
     host: Host, application: str, architecture: str
 ) -> None:
-    kinds = host.manager.registered("mrta_register_behaviours")
-    mission = load_mission(host.registry, application, architecture, seed=3, checks=host.manager, kinds=kinds)
-    if application == "border_patrol":
-        mission = troubled(mission)
+    mission = loaded(host, application, architecture)
     codec = host.codec()
-    expected: List[Stamped] = []
-    run = EmbeddedRun(mission, 2.5, codec, host.manager)
-    run.bus.tap(expected.extend)
-    for tick in range(run.last_tick + 1):
-        run.step(tick)
-    run.close()
+    expected = one_process(host, mission)
     team = ScatteredTeam(mission, 2.5, codec, host.manager, chance=1)
     found = list(team.run())
     team.close()
@@ -64,3 +73,29 @@ def test_every_message_of_a_scattered_team_is_that_of_a_run_in_one_process(
         (each.connection.caller, each.connection.topic) for each in expected
     ]
     assert [(each.receipt_ns, each.raw) for each in found] == [(each.receipt_ns, each.raw) for each in expected]
+
+
+@pytest.mark.parametrize(
+    ("application", "architecture"), [("border_patrol", "mrta_alliance"), ("target_visiting", "mrta_demir_cf")]
+)
+def test_where_nobody_waits_all_say_the_same_if_nothing_comes_a_tick_late(
+    host: Host, application: str, architecture: str
+) -> None:
+    """A robot's orders of the tick in which it returns are its own to miss, so nothing happens here."""
+    mission = loaded(host, application, architecture)
+    assert mission.scenario is not None
+    mission = dataclasses.replace(mission, scenario=dataclasses.replace(mission.scenario, events=()))
+    team = ScatteredTeam(mission, 2.5, host.codec(), host.manager, chance=2, lock_step=False)
+    found = by_topic(team.run_freely())
+    team.close()
+    expected = by_topic(one_process(host, mission))
+    assert found.keys() == expected.keys()
+    for key, said in expected.items():
+        assert found[key] == said, key
+
+
+def by_topic(said: Iterable[Stamped]) -> Dict[Tuple[str, str], List[bytes]]:
+    found: Dict[Tuple[str, str], List[bytes]] = {}
+    for stamped in said:
+        found.setdefault((stamped.connection.caller, stamped.connection.topic), []).append(stamped.raw)
+    return found

@@ -7,14 +7,16 @@ import math
 import threading
 import time
 from collections import deque
-from typing import Callable, Deque, Dict, Iterable, List, Optional, Sequence
+from typing import Callable, Deque, Dict, Iterable, List, Optional, Sequence, Tuple
 
 from rqt_mrta_py.app.live.agent_side import AgentSide
+from rqt_mrta_py.app.live.foreseen import spoken_topics
 from rqt_mrta_py.app.live.hold_back import agent_node
 from rqt_mrta_py.app.live.tick_messages import DONE_TOPIC, DONE_TYPE, TICK_TOPIC, TickDone, TickNews
 from rqt_mrta_py.app.live.ways import Ways, expanded
-from rqt_mrta_py.errors import UsageError
+from rqt_mrta_py.errors import TransportError, UsageError
 from rqt_mrta_py.hooks import AnyOutgoing, OutgoingRows, Stamped
+from rqt_mrta_py.model import Mission
 from rqt_mrta_py.transport.patterns import TopicPattern
 from rqt_mrta_py.transport.ros1 import RosNode
 
@@ -26,6 +28,8 @@ _LOOK = 0.1
 """How often a wait looks whether the node shall end [s]."""
 _PATIENCE = 10.0
 """How long what a manifest names may take to arrive in lock step [s]."""
+_SOON = 0.05
+"""How long it may take where the clock runs freely [s]."""
 _MOST_BEHIND = 100
 """From how many ticks behind on a robot leaves turns out instead of taking one after the other."""
 
@@ -47,6 +51,7 @@ class AgentLoop:
         self._make_side = make_side
         self._side = make_side()
         self._ways = Ways(node, witnesses, ends)
+        self._way_back = Ways(node, (), ends)
         self._ends = ends
         self._changed = threading.Condition(node.lock)
         self._news: Deque[TickNews] = deque()
@@ -54,16 +59,18 @@ class AgentLoop:
         self._began = 0.0
         self._skipped = 0
         self._resolved: Dict[str, str] = {}
+        self._foreseen: List[Tuple[str, str, bool]] = []
 
-    def listen(self, team: Sequence[str], tasks: Sequence[str]) -> None:
+    def listen(self, mission: Mission) -> None:
         """Begin to hear; of ticks last, for the simulation takes it that who hears them hears everything.
 
         Args:
-            team: ids of all robots.
-            tasks: ids of all tasks.
+            mission: tells robots and tasks.
         """
         node = self._node
-        node.advertise(DONE_TOPIC, DONE_TYPE)
+        team = [robot.id for robot in mission.application.robots]
+        tasks = [task.id for task in (*mission.tasks, *mission.later_tasks)]
+        self._foresee(mission)
         known: Dict[str, None] = {}
         unknown: List[TopicPattern] = []
         for topic in self._side.topics:
@@ -81,6 +88,18 @@ class AgentLoop:
             node.hear(wanted, self._hear)
         node.hear_topic(TICK_TOPIC, self._hear_tick)
 
+    def _foresee(self, mission: Mission) -> None:
+        """Let others find the topics on which the robot will speak; the first turn waits for them."""
+        self._node.advertise(DONE_TOPIC, DONE_TYPE)
+        spoken = spoken_topics(mission, self._side.robot, self._side.wishes)
+        for topic, type_name in spoken:
+            try:
+                self._node.advertise(topic, type_name)
+            except TransportError as error:
+                _log.debug("robot=%s will not speak on %s: %s", self._side.robot, topic, error)
+            else:
+                self._foreseen.append((topic, type_name, False))
+
     def run(self) -> None:
         """Take turns as the simulation tells of ticks, until the node shall end.
 
@@ -90,8 +109,8 @@ class AgentLoop:
         while not self._ends():
             with self._changed:
                 turn = self._turn or self._begin()
-                if turn is None or not self._is_ready():
-                    self._changed.wait(_LOOK)
+                if turn is None or not self._is_ready(turn):
+                    self._changed.wait(_LOOK if turn is None or turn.lock_step else _SOON)
                     continue
                 self._turn = None
                 says = self._side.take_turn()
@@ -149,18 +168,19 @@ class AgentLoop:
         """Leave out turns, all but the newest."""
         if not self._skipped:
             _log.warning("robot=%s falls behind by %d ticks; turns are left out", self._side.robot, len(self._news))
-        self._skipped += len(self._news) - 1
-        newest = self._news.pop()
-        self._news.clear()
-        self._news.append(newest)
+        while len(self._news) > 1:
+            self._side.leave_out(self._news.popleft())
+            self._skipped += 1
 
-    def _is_ready(self) -> bool:
+    def _is_ready(self, turn: TickNews) -> bool:
         missing = self._side.missing
         if not missing:
             return True
-        if time.monotonic() - self._began < _PATIENCE:
+        if time.monotonic() - self._began < (_PATIENCE if turn.lock_step else _SOON):
             return False
-        _log.warning("robot=%s goes on without: %s", self._side.robot, ", ".join(" ".join(each) for each in missing))
+        level = logging.WARNING if turn.lock_step else logging.DEBUG
+        told = ", ".join(" ".join(each) for each in missing)
+        _log.log(level, "robot=%s goes on without: %s", self._side.robot, told)
         return True
 
     def _say(self, says: Iterable[AnyOutgoing], news: TickNews) -> None:
@@ -173,10 +193,13 @@ class AgentLoop:
             topics.extend(map(self._resolve, names))
             types.extend([said.type] * len(names))
             latched.extend([not isinstance(said, OutgoingRows) and said.latched] * len(names))
-        self._ways.open(zip(topics, types, latched))
+        self._ways.open((*self._foreseen, *zip(topics, types, latched)))
+        self._foreseen.clear()
         for said in says:
             node.publish(said, news.stamp)
-        if news.lock_step:
+        # Where nobody waits, the clock begins to run when all have taken the first turn.
+        if news.lock_step or news.tick == 0:
+            self._way_back.open([(DONE_TOPIC, DONE_TYPE, False)])
             node.publish(TickDone(news.tick, self._side.robot, tuple(topics)).message(), news.stamp)
 
     def _resolve(self, topic: str) -> str:

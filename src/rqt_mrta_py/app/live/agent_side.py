@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import logging
-from collections import deque
-from typing import Callable, Collection, Deque, List, Optional, Sequence, Tuple
+from typing import Callable, Collection, List, Optional, Sequence, Tuple
 
+from rqt_mrta_py.app.live.arrivals import Arrivals
 from rqt_mrta_py.app.live.hold_back import HoldBack
 from rqt_mrta_py.app.live.tick_messages import Said, TickNews
 from rqt_mrta_py.app.run.clock import RunClock
-from rqt_mrta_py.hooks import AnyOutgoing, Codec, Heard, Stamped
+from rqt_mrta_py.hooks import AnyOutgoing, Codec, Heard, Stamped, Subscription
 from rqt_mrta_py.robot import RobotHost
 from rqt_mrta_py.transport import Dispatcher
 from rqt_mrta_py.transport.patterns import TopicPattern
@@ -18,20 +18,19 @@ __all__ = ["AgentSide"]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
-_MOST_WAITING = 100_000
-"""How many messages wait for the next step; without any step the oldest are forgotten."""
-
 
 class AgentSide:
     """Plays one robot.
 
     In lock step it holds back what it hears until the simulation's manifest says in which order to hear it, so that
     it decides exactly as in a run in one process. An agent that joins late, after its process was started anew, was
-    not told the beginning and hears everything as it comes, and so does every agent where nobody waits.
+    not told the beginning and hears what has come, and so does every agent where nobody waits: in the turns and the
+    order of lock step, save what comes late.
 
     Attributes:
         robot: its id.
-        topics: that it hears; resolved, perhaps with tokens.
+        wishes: what it hears; topics are resolved, perhaps with tokens.
+        topics: of those, once each.
         tick: of the newest turn; None before the first.
 
     Args:
@@ -59,17 +58,18 @@ class AgentSide:
         self._clock = clock
         self._team = tuple(team)
         self._hold_back: Optional[HoldBack] = None
-        self._waiting: Deque[Stamped] = deque(maxlen=_MOST_WAITING)
+        self._arrivals = Arrivals(self._team, clock, self._hears)
         self._news: Optional[TickNews] = None
         self._is_stopped = False
         self._offset = 0.0
         self._dispatcher = Dispatcher(codec, _report)
-        topics: List[str] = []
+        wishes: List[Subscription] = []
         for wish, hear in host.listeners():
-            topic = resolve(wish.topic)
-            topics.append(topic)
-            self._dispatcher.subscribe(wish._replace(topic=topic), self._by_own_clock(hear))
-        self.topics = tuple(dict.fromkeys(topics))
+            resolved = wish._replace(topic=resolve(wish.topic))
+            wishes.append(resolved)
+            self._dispatcher.subscribe(resolved, self._by_own_clock(hear))
+        self.wishes = tuple(wishes)
+        self.topics = tuple(dict.fromkeys(wish.topic for wish in wishes))
         self._patterns = tuple(map(TopicPattern, self.topics))
 
     def hear(self, stamped: Stamped) -> None:
@@ -77,7 +77,7 @@ class AgentSide:
         if self._hold_back is not None:
             self._hold_back.put(stamped)
         else:
-            self._waiting.append(stamped)
+            self._arrivals.put(stamped)
 
     def begin(self, news: TickNews) -> None:
         """Begin a turn of a simulated mission.
@@ -87,18 +87,23 @@ class AgentSide:
         """
         if self.tick is None and news.lock_step and news.tick == 0:
             self._hold_back = HoldBack(self._team, self._hears)
-            for stamped in self._waiting:
+            for stamped in self._arrivals.take_all():
                 self._hold_back.put(stamped)
-            self._waiting.clear()
         self.tick = news.tick
         self._news = news
         if self._hold_back is not None:
             self._hold_back.expect(news.manifest, news.absent)
+        else:
+            self._arrivals.expect(news)
+
+    def leave_out(self, news: TickNews) -> None:
+        """Take no turn in a tick, for there is no time; what is told in it is heard in a later one."""
+        self._arrivals.expect(news)
 
     @property
     def missing(self) -> Tuple[Said, ...]:
         """What the turn that was begun still waits for."""
-        return self._hold_back.missing if self._hold_back is not None else ()
+        return self._arrivals.missing if self._hold_back is None else self._hold_back.missing
 
     def take_turn(self) -> Sequence[AnyOutgoing]:
         """Take the turn that was begun, without what is missing.
@@ -119,7 +124,8 @@ class AgentSide:
         returns = self._is_stopped and not is_stopped
         turn: Sequence[Stamped]
         if self._hold_back is None:
-            turn = self._take_what_waits(clock.stamp_ns(tick))
+            self._arrivals.forgo()
+            turn = self._arrivals.take(tick, news.clock_offsets)
             if returns:
                 turn = ()
         else:
@@ -138,7 +144,7 @@ class AgentSide:
         if self.tick is not None and tick <= self.tick:
             return ()
         self.tick = tick
-        return self._step(tick, now, self._take_what_waits(round(now * 1e9)), stopped=False)
+        return self._step(tick, now, self._arrivals.take_until(round(now * 1e9)), stopped=False)
 
     def _by_own_clock(self, hear: Callable[[Heard], None]) -> Callable[[Heard], None]:
         def told(heard: Heard) -> None:
@@ -148,13 +154,6 @@ class AgentSide:
 
     def _hears(self, topic: str) -> bool:
         return any(pattern.match(topic) is not None for pattern in self._patterns)
-
-    def _take_what_waits(self, until_ns: int) -> Sequence[Stamped]:
-        """Take what had arrived by a time [ns]; what came later is heard in a later turn."""
-        waiting, taken = self._waiting, []
-        while waiting and waiting[0].receipt_ns <= until_ns:
-            taken.append(waiting.popleft())
-        return taken
 
     def _step(self, tick: int, now: float, turn: Sequence[Stamped], stopped: bool) -> Sequence[AnyOutgoing]:
         if stopped != self._is_stopped:

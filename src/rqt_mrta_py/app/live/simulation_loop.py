@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import math
 import threading
 import time
 from typing import Callable, Dict, Sequence, Set
@@ -27,6 +28,8 @@ _TELL = 10.0
 """How often it is told for whom the simulation waits [s]."""
 _GRACE = 1.0
 """How long an agent that has gone is waited for in lock step: it may have said something before [s]."""
+_FIRST = 20.0
+"""How long the clock of a free-running mission waits at most for all agents' first turn [s]."""
 _LAST_WORDS = 0.5
 """How long the last messages may take to leave the process [s]."""
 _KEEPS_UP = 0.97
@@ -101,6 +104,10 @@ class SimulationLoop:
             node.publish(news.message(), news.stamp)
             if self._lock_step:
                 self._wait_for_answers()
+            elif tick == 0:
+                # Ways open and caches fill with the first turn; the clock begins to run when that is over.
+                self._wait_for_answers(_FIRST)
+                began = due = time.monotonic()
             due += period
             ahead = due - time.monotonic()
             if period and ahead > 0.0:
@@ -143,11 +150,13 @@ class SimulationLoop:
             self._tell_of(missing)
             time.sleep(0.02)
 
-    def _wait_for_answers(self) -> None:
+    def _wait_for_answers(self, most: float = math.inf) -> None:
+        """Wait until all agents that are there have taken their turn, or for the most that one waits [s]."""
+        until = time.monotonic() + most
         with self._changed:
             awaited = self._turns.awaited
             while awaited and not self._ends():
-                if all(self._is_gone(robot) for robot in awaited):
+                if all(self._is_gone(robot) for robot in awaited) or time.monotonic() > until:
                     return
                 if not self._changed.wait(_LOOK):
                     self._tell_of(set(awaited))

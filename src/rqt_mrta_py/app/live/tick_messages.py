@@ -37,7 +37,8 @@ class TickNews(NamedTuple):
         stopped: ids of robots that stand still and are silent.
         clock_offsets: by robot: its clock minus the true one [s]; those that are right are left out.
         absent: ids of robots whose agents did not answer the tick before.
-        manifest: in lock step what was said since the tick before, in order.
+        manifest: what the simulation said in this tick, in order; in lock step before it what the agents said since
+            the one before.
     """
 
     tick: int

@@ -35,7 +35,7 @@ class WorldTurns:
 
     Args:
         world: of the mission; nothing has happened yet.
-        lock_step: whether agents answer.
+        lock_step: whether agents answer each tick, not only the first.
     """
 
     def __init__(self, world: WorldSide, lock_step: bool) -> None:
@@ -75,10 +75,7 @@ class WorldTurns:
         world.happen(tick, now)
         world.tell(tick, now)
         said, self._said = self._said, []
-        manifest: Tuple[Said, ...] = ()
-        if self._lock_step:
-            own = tuple(Said(each.connection.caller, each.connection.topic) for each in said)
-            manifest = (*self._by_agents, *own)
+        own = tuple(Said(each.connection.caller, each.connection.topic) for each in said)
         news = TickNews(
             tick,
             now,
@@ -86,7 +83,7 @@ class WorldTurns:
             stopped=frozenset(world.simulation.stopped_robots),
             clock_offsets=dict(world.simulation.clock_offsets),
             absent=frozenset(self._absent),
-            manifest=manifest,
+            manifest=(*self._by_agents, *own),
         )
         self._answers.clear()
         return said, news
@@ -121,7 +118,7 @@ class WorldTurns:
         self._by_agents = tuple(
             Said(agent_node(robot), topic)
             for robot in self.robots
-            if robot in self._answers
+            if self._lock_step and robot in self._answers
             for topic in self._answers[robot].topics
         )
         for arrived in self._arrived.values():

@@ -97,9 +97,9 @@ def _work(node: RosNode, host: Host, ending: Ending) -> None:
         )
 
     loop = AgentLoop(node, make_side, witnesses, lambda: ending.wait(0.0))
-    tasks = [task.id for task in (*mission.tasks, *mission.later_tasks)]
-    loop.listen(team, tasks)
-    _log.info("robot=%s architecture=%s tasks=%d", robot, mission.architecture.package, len(tasks))
+    loop.listen(mission)
+    tasks = len(mission.tasks) + len(mission.later_tasks)
+    _log.info("robot=%s architecture=%s tasks=%d", robot, mission.architecture.package, tasks)
     with rare_collections():
         if own_time:
             loop.run_by_the_clock(scenario.control_rate)

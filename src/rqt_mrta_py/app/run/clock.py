@@ -34,6 +34,10 @@ class RunClock:
         """Give the tick at or next after a mission time [s]."""
         return first_tick_at(seconds, self.rate)
 
+    def nearest(self, stamp_ns: int) -> int:
+        """Give the tick whose stamp is next to a time [ns]; below 0 for times before the mission."""
+        return ((stamp_ns - _NS) * self.rate + _NS // 2) // _NS
+
     def can_tell(self, tick: int) -> bool:
         """Tell whether a tick's stamp fits into ROS time, which has 2^32 seconds."""
         return self.stamp_ns(tick) < _END_OF_TIME_NS
