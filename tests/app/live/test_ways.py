@@ -18,6 +18,7 @@ class Node:
     def __init__(self, subscribers: Dict[str, Tuple[str, ...]], dead: FrozenSet[str] = frozenset()) -> None:
         self.subscribers = subscribers
         self.dead = dead
+        self.refusals: FrozenSet[str] = frozenset()
         self.advertised: List[str] = []
         self.connected: Dict[str, Set[str]] = {}
         self.witness = "/witness"
@@ -32,6 +33,9 @@ class Node:
         coming = {*self.subscribers.get(topic, ()), self.witness} - self.dead - now
         self.connected[topic].update(sorted(coming)[:1])
         return now
+
+    def refused(self, topic: str) -> FrozenSet[str]:
+        return self.refusals if topic == "/a" else frozenset()
 
     def graph(self) -> Graph:
         if not self.has_master:
@@ -57,6 +61,16 @@ def test_those_who_have_died_are_not_waited_for(monkeypatch: pytest.MonkeyPatch)
     """A master knows the subscriptions of a node that was killed until another one takes its name."""
     monkeypatch.setattr(ways, "_DOUBT", 0.0)
     node = Node({"/a": ("/dead", "/robot1/agent")}, dead=frozenset({"/dead"}))
+    Ways(node, [], lambda: False).open([("/a", "std_msgs/String", False)])
+    assert "/robot1/agent" in node.connected["/a"]
+
+
+def test_those_who_are_refused_are_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A subscriber that takes the topic for something else held the first message back for 15 s."""
+    monkeypatch.setattr(ways, "_PATIENCE", 600.0)
+    node = Node({"/a": ("/robot1/agent", "/stranger")}, dead=frozenset({"/stranger"}))
+    node.reaches = lambda name: True  # type: ignore[method-assign]  # it lives, and will never be connected
+    node.refusals = frozenset({"/stranger"})
     Ways(node, [], lambda: False).open([("/a", "std_msgs/String", False)])
     assert "/robot1/agent" in node.connected["/a"]
 

@@ -119,6 +119,16 @@ def test_subscriber_that_is_refused_is_reported_with_the_difference(
         "as std_msgs/String with md5 992ce8a1687cec8c8bd883ec73ca41d1, and /stranger does not hear it"
     )
     assert difference.split("\n")[2:] == ["@@ -1,2 +1,2 @@", " MSG: std_msgs/String", "-string data", "+uint8 data"]
+    assert node.ask("sorted(node.refused('/refusing'))") == ["/stranger"]
+
+
+def test_subscriber_that_is_refused_holds_up_no_first_message(node: PythonProcess, stranger: PythonProcess) -> None:
+    """The master lists it among those who want to hear, and it will never be connected."""
+    stranger.do("rospy.Subscriber('/refused/first', make('std_msgs/String', 'uint8 data'), print)")
+    node.do("from rqt_mrta_py.app.live import ways; ways._PATIENCE = 60.0; opened = ways.Ways(node, [], lambda: False)")
+    node.do("opened.open([('/refused/first', 'std_msgs/String', False)])")
+    assert node.ask("sorted(node.refused('/refused/first'))") == ["/stranger"]
+    assert not node.ask("[line for line in lines.texts if 'nobody waits any longer' in line]")
 
 
 def test_lines_of_the_log_go_onto_rosout(node: PythonProcess, stranger: PythonProcess) -> None:

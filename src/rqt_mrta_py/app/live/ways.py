@@ -38,6 +38,10 @@ class Opener(Protocol):
         """Give the nodes that are connected to a topic."""
         ...
 
+    def refused(self, topic: str) -> FrozenSet[str]:
+        """Give the nodes that will not be connected to a topic, for they take it for something else."""
+        ...
+
     def graph(self) -> Graph:
         """Give what the master knows."""
         ...
@@ -92,7 +96,8 @@ class Ways:
         began = time.monotonic()
         doubt = began + _DOUBT
         while not self._ends():
-            missing = {topic: nodes - self._node.hearers(topic) for topic, nodes in wanted.items()}
+            here = {topic: self._node.hearers(topic) | self._node.refused(topic) for topic in wanted}
+            missing = {topic: nodes - here[topic] for topic, nodes in wanted.items()}
             absent = set().union(*missing.values())
             if not absent:
                 return

@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 import threading
 from contextlib import nullcontext
-from typing import Any, Callable, FrozenSet, List, Mapping, Optional, Sequence
+from typing import Any, Callable, Dict, FrozenSet, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import AnyOutgoing, Codec, Heard, Stamped, Subscription
 from rqt_mrta_py.transport.patterns import resolve_topic
@@ -54,6 +54,7 @@ class RosNode(Asking):
         self._on_master: List[Callable[[MasterChange], None]] = []
         self._on_misfit: List[Callable[[Misfit], None]] = []
         self._on_shutdown: List[Callable[[], None]] = []
+        self._refused: Dict[str, Tuple[str, ...]] = {}
         misfits = Misfits(codec, self._misfit)
         self._ears = Ears(
             codec,
@@ -173,6 +174,14 @@ class RosNode(Asking):
             topic: resolved.
         """
         return self._mouths.hearers(topic)
+
+    def refused(self, topic: str) -> FrozenSet[str]:
+        """Give the nodes that were refused what this node publishes on a topic, for they take it for something else.
+
+        Args:
+            topic: resolved.
+        """
+        return frozenset(self._refused.get(topic, ()))
 
     def publish(self, outgoing: AnyOutgoing, now: float) -> None:
         """Publish a message, or many; they are written only if somebody hears them.
@@ -301,7 +310,7 @@ class RosNode(Asking):
             self.advertise(*ROSOUT, latched=True)
             self._rosout.attach()
         self._reader.start()
-        watch_refusals(self._misfit)
+        watch_refusals(self._refuse)
         if self._clock.simulated:
             self._ears.add(
                 Hearer(lambda topic, _type: topic == CLOCK_TOPIC, lambda _stamped: None, None, CLOCK_TOPIC, None)
@@ -339,6 +348,10 @@ class RosNode(Asking):
 
     def _lost(self, topic: str) -> None:
         self._watch.again(topic)
+
+    def _refuse(self, misfit: Misfit) -> None:
+        self._refused[misfit.topic] = (*self._refused.get(misfit.topic, ()), misfit.caller)
+        self._misfit(misfit)
 
     def _misfit(self, misfit: Misfit) -> None:
         _log.warning("%s%s", misfit.text, f"\n{misfit.difference}" if misfit.difference else "")
