@@ -5,6 +5,7 @@
 * ``ears``: what to hear, and what the team is told for it; ``statements``: what follows from what is stated
 * ``topics``, ``readers``: which topics an architecture has, how their messages tell robots and tasks
 * ``team``: derives facts; ``robots``, ``tasks``, ``allocations`` keep one thing each, ``timeline`` their histories
+* ``standing``: how a team stands, as another supervisor tells whoever comes late
 * ``agenda``: what falls due when; ``copies``: a team that looks ahead without moving on
 * ``desk``, ``rules``: incidents; ``failures``: plugins that raise on the way
 * ``journal``, ``news``, ``summary``: the same for readers, for other nodes, for programs
@@ -16,17 +17,20 @@
 from __future__ import annotations
 
 from rqt_mrta_py.supervisor.news import team_news
+from rqt_mrta_py.supervisor.standing import Standing, standing_of
 from rqt_mrta_py.supervisor.summary import event_lines, incident_lines, summary
 from rqt_mrta_py.supervisor.supervisor import Supervisor
 from rqt_mrta_py.supervisor.traffic import Traffic, communication, recorded_communication
 
 __all__ = [
+    "Standing",
     "Supervisor",
     "Traffic",
     "communication",
     "event_lines",
     "incident_lines",
     "recorded_communication",
+    "standing_of",
     "summary",
     "team_news",
 ]

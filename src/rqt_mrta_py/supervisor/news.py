@@ -16,10 +16,10 @@ from rqt_mrta_py.model import (
     TaskState,
 )
 
-__all__ = ["event_news", "fact_news", "incident_news", "team_news"]
+__all__ = ["ROBOT_CODES", "TASK_CODES", "event_news", "fact_news", "incident_news", "team_news"]
 
-_ROBOT_CODES = {RobotState.OFFLINE: 0, RobotState.IDLE: 1, RobotState.BUSY: 2}
-_TASK_CODES = {state: code for code, state in enumerate(TaskState)}
+ROBOT_CODES = {RobotState.OFFLINE: 0, RobotState.IDLE: 1, RobotState.BUSY: 2}
+TASK_CODES = {state: code for code, state in enumerate(TaskState)}
 _OUTCOME_CODES = {
     Outcome.OPEN: 0,
     Outcome.DONE: 1,
@@ -34,7 +34,7 @@ _OUTCOME_CODES = {
 _HISTORY_TYPES = {"robot_state": 0, "task_state": 1, "allocation_started": 2, "allocation_ended": 2}
 _HISTORY_SEVERITIES = {Severity.INFO: 1, Severity.WARNING: 2, Severity.ERROR: 3}
 _HISTORY_ROBOTS = {RobotState.IDLE.value: 0, RobotState.BUSY.value: 1, RobotState.OFFLINE.value: 2}
-_HISTORY_TASKS = {state.value: code for state, code in _TASK_CODES.items()}
+_HISTORY_TASKS = {state.value: code for state, code in TASK_CODES.items()}
 _ON_HOLD, _ASSIGNED, _DONE = 0, 1, 2
 _LOG_LEVELS = {Severity.INFO: 2, Severity.WARNING: 4, Severity.ERROR: 8}
 _NODE = "/supervisor"
@@ -148,11 +148,11 @@ def team_news(record: MissionRecord, now: float) -> Outgoing:
 
 def _robot_fields(robot: str, state: RobotState, since: float, last_heard: Optional[float]) -> Mapping[str, Any]:
     heard = 0.0 if last_heard is None else last_heard
-    return {"header": {"stamp": since}, "robot_id": robot, "state": _ROBOT_CODES[state], "last_heard": heard}
+    return {"header": {"stamp": since}, "robot_id": robot, "state": ROBOT_CODES[state], "last_heard": heard}
 
 
 def _task_fields(task: str, state: TaskState, since: float, holders: Sequence[str]) -> Mapping[str, Any]:
-    return {"header": {"stamp": since}, "task_id": task, "state": _TASK_CODES[state], "robots": list(holders)}
+    return {"header": {"stamp": since}, "task_id": task, "state": TASK_CODES[state], "robots": list(holders)}
 
 
 def _allocation_fields(allocation: Allocation, stamp: float) -> Mapping[str, Any]:

@@ -31,6 +31,7 @@ from rqt_mrta_py.supervisor.failures import checked, failure
 from rqt_mrta_py.supervisor.journal import event_of_fact, event_of_incident, event_of_unreadable
 from rqt_mrta_py.supervisor.message_key import MessageKey, key_of
 from rqt_mrta_py.supervisor.news import event_news, fact_news, incident_news
+from rqt_mrta_py.supervisor.standing import Standing, assume
 from rqt_mrta_py.supervisor.team import Team, TeamSetup
 from rqt_mrta_py.supervisor.topics import Topics
 
@@ -69,7 +70,7 @@ class Supervisor:
         self._on_event = on_event
         self._rules = {name: _made(name, factory, mission) for name, factory in sorted(rules.items())}
         self._desk = Desk(self._rules, self._on_opened, self._on_closed)
-        topics = Topics(mission.architecture)
+        topics = self._topics = Topics(mission.architecture)
         robots = tuple(robot.id for robot in mission.application.robots)
         self._team = Team(TeamSetup(robots, mission.tasks, topics.silence, mission.later_tasks), self._on_fact)
         self._ears = Ears(topics, self._team, self._enter, self.report)
@@ -80,6 +81,7 @@ class Supervisor:
         # Built only if somebody asks: a review publishes nothing.
         self._news: List[Callable[[], Tuple[Outgoing, ...]]] = []
         self._changes = 0
+        self._assuming = False
         self._unreadable: Set[Tuple[str, str]] = set()
         self._finished: Optional[MissionRecord] = None
 
@@ -199,6 +201,23 @@ class Supervisor:
         if until > self._team.now:
             self._pass(until)
 
+    def assume(self, told: Standing, heard: Heard) -> Standing:
+        """Take over from another supervisor what is not known here; rules are told of it, but nothing happens by it.
+
+        Args:
+            told: how the team stands.
+            heard: the message that says so.
+
+        Returns:
+            What was taken over.
+        """
+        self._enter(key_of(heard))
+        self._assuming = True
+        try:
+            return assume(self._team, told, heard, self._topics.silence, self._topics.hold)
+        finally:
+            self._assuming = False
+
     def finish(self) -> MissionRecord:
         """End the stream and sum the mission up; whatever lasts ends with the newest message.
 
@@ -261,6 +280,9 @@ class Supervisor:
 
     def _on_fact(self, fact: Fact, why: str) -> None:
         self._changes += 1
+        if self._assuming:
+            self._desk.notice(fact)
+            return
         robot = self._team.robots.get(getattr(fact, "robot", ""))
         last_heard = robot.last_heard if isinstance(fact, RobotStateChanged) and robot is not None else None
         holders = self._team.book.holders(fact.task) if isinstance(fact, TaskStateChanged) else ()

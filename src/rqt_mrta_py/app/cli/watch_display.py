@@ -13,7 +13,7 @@ from typing import Any, Dict, Iterator, Optional, Sequence, Tuple
 from rqt_mrta_py.app.cli.table import print_table
 from rqt_mrta_py.app.watch.view import Display, WatchView
 from rqt_mrta_py.model import CommunicationGraph, Event, Mission, Severity
-from rqt_mrta_py.supervisor import communication, event_lines, incident_lines, summary
+from rqt_mrta_py.supervisor import Standing, communication, event_lines, incident_lines, summary
 
 __all__ = ["JsonDisplay", "LinesDisplay", "display_for", "graph_rows"]
 
@@ -66,6 +66,16 @@ class LinesDisplay:
             f"mrta: watching {where}: {name} under {architecture.package or architecture.name}, {team}", file=sys.stderr
         )
 
+    def stand(self, standing: Standing, teller: str, now: float) -> None:
+        """Print a line for each robot, for each that holds something, and for each task that has ended."""
+        held = dict(standing.holds)
+        lines = [f"{robot} is {state.value}" for robot, state in standing.robots if robot not in held]
+        lines.extend(f"{robot} has {task}" for robot, task in standing.holds)
+        lines.extend(f"{task} is {state.value}" for task, state in standing.tasks if task not in held.values())
+        for line in lines:
+            print(f"{0.0:8.1f} s  {line}, as {teller} says")
+        sys.stdout.flush()
+
     def tell(self, events: Sequence[Event], start: float) -> None:
         """Print a line for each event: seconds since the start, what matters, what happened."""
         for event in events:
@@ -107,6 +117,26 @@ class JsonDisplay:
                 "taxonomy": str(mission.architecture.taxonomy),
                 "robots": [robot.id for robot in mission.application.robots],
                 "tasks": [task.id for task in mission.tasks],
+            },
+        )
+
+    def stand(self, standing: Standing, teller: str, now: float) -> None:
+        """Print what a supervisor tells and the team has not said itself yet."""
+        self._print(
+            "standing",
+            {
+                "time": round(now, 9),
+                "told_by": teller,
+                "told_at": round(standing.time, 9),
+                "robots": [{"id": robot, "state": state.value} for robot, state in standing.robots],
+                "tasks": [
+                    {
+                        "id": task,
+                        "state": state.value,
+                        "robots": sorted(robot for robot, held in standing.holds if held == task),
+                    }
+                    for task, state in standing.tasks
+                ],
             },
         )
 

@@ -13,7 +13,8 @@ from rich.text import Text
 
 from rqt_mrta_py.app.cli.watch_display import draw, graph_rows
 from rqt_mrta_py.app.watch.view import WatchView
-from rqt_mrta_py.model import Event, Mission, RobotState, Severity, TaskState
+from rqt_mrta_py.model import Event, Mission, RobotRecord, RobotState, Severity, TaskState
+from rqt_mrta_py.supervisor import Standing
 
 __all__ = ["ScreenDisplay"]
 
@@ -64,6 +65,9 @@ class ScreenDisplay:
         """Take note of what is watched."""
         self._where = where
 
+    def stand(self, standing: Standing, teller: str, now: float) -> None:
+        """Leave it to the tables, which say of whom nothing was heard."""
+
     def tell(self, events: Sequence[Event], start: float) -> None:
         """Leave events to the tables."""
 
@@ -109,10 +113,16 @@ def _robots(view: WatchView, now: float, most: int) -> Rows:
             Text(robot.state.value, _ROBOT_STYLES[robot.state]),
             _seconds(now - robot.states[-1].start) if robot.states else "",
             Text(", ".join(holdings.get(robot.id, ()))),
-            "never" if robot.last_heard is None else f"{_seconds(now - robot.last_heard)} ago",
+            _last_heard(robot, now),
         )
         for robot in view.record.robots[:most]
     ]
+
+
+def _last_heard(robot: RobotRecord, now: float) -> str:
+    if robot.last_heard is not None:
+        return f"{_seconds(now - robot.last_heard)} ago"
+    return "never" if robot.state is RobotState.OFFLINE else "told only"
 
 
 def _tasks(view: WatchView, now: float, most: int) -> Rows:

@@ -26,6 +26,12 @@ _log = logging.getLogger("rqt_mrta_py.app")
 _LOOK = 0.05
 """How often what has changed is told, and what falls due happens [s]."""
 
+_STATE = ("/mrta/team_state", "rqt_mrta_py/TeamState")
+"""What a supervisor tells of the team, latched."""
+
+_CLOCK = 1.0
+"""How long a simulated clock may take to tell the time [s]; that of a mission that is over never does."""
+
 _ASK = 2.0
 """How often the master is asked for nodes and topics [s]."""
 
@@ -67,6 +73,9 @@ class _MasterWatch:
         self._display = display
         self._watch: Optional[TeamWatch] = None
         self._next: Optional[Mission] = None
+        self._standing: Optional[Stamped] = None
+        self._told_at = 0.0
+        self._assumed = False
         self._heard = 0
         self._known: Optional[Graph] = None
         self._asked = -_ASK
@@ -86,6 +95,7 @@ class _MasterWatch:
             self._begin(mission)
         else:
             node.hear(lambda topic, _type: topic == MISSION_TOPIC, self._hear_mission)
+        node.hear(lambda topic, type_name: topic == _STATE[0] and type_name in (_STATE[1], ""), self._hear_standing)
         node.on_time_jump(self._time_went_back)
         while not interrupt.requested and not node.wait(_LOOK):
             now = time.monotonic()
@@ -115,7 +125,8 @@ class _MasterWatch:
     def _begin(self, mission: Mission) -> None:
         if self._watch is not None:
             self._finish(self._watch)
-        self._next = None
+            self._standing = None
+        self._next, self._assumed = None, False
         watch = self._watch = TeamWatch(mission, self._node.codec, self._host.manager)
         self._display.begin(mission, _where())
 
@@ -140,6 +151,7 @@ class _MasterWatch:
 
     def _tell(self) -> None:
         if self._watch is not None:
+            self._assume(self._watch)
             self._watch.let_pass(self._node.now())
             self._watch.tell(self._display)
 
@@ -162,6 +174,24 @@ class _MasterWatch:
         with self._node.lock:
             flows = watch.traffic.flows(now)
         return live_graph(self._known, flows, self._node.name)
+
+    def _hear_standing(self, stamped: Stamped) -> None:
+        """Keep how the team stands, as a supervisor tells it, until it is known which team is watched."""
+        if stamped.connection.type == _STATE[1] and not self._assumed:
+            self._told_at = self._told_at if self._standing is not None else time.monotonic()
+            self._standing = stamped
+
+    def _assume(self, watch: TeamWatch) -> None:
+        standing = self._standing
+        if standing is None or self._assumed:
+            return
+        if not self._node.now() and time.monotonic() - self._told_at < _CLOCK:
+            return
+        self._standing, self._assumed = None, True
+        try:
+            watch.assume(standing._replace(receipt_ns=round(self._node.now() * 1e9)), self._display)
+        except TransportError as error:
+            _log.warning("caller=%s %s: %s", standing.connection.caller, _STATE[0], error)
 
     def _hear_mission(self, stamped: Stamped) -> None:
         """Take note of what is watched; another mission begins when somebody tells of one that is not the same."""

@@ -7,10 +7,10 @@ from typing import List, Optional
 from rqt_mrta_py.app.live.interest import Interest, TopicChoice
 from rqt_mrta_py.app.observation import interpreter_for
 from rqt_mrta_py.app.watch.view import Display, WatchView
-from rqt_mrta_py.hooks import Codec, Stamped
+from rqt_mrta_py.hooks import Codec, Heard, Stamped
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import CommunicationGraph, Event, Mission
-from rqt_mrta_py.supervisor import Supervisor, Traffic
+from rqt_mrta_py.supervisor import Supervisor, Traffic, standing_of
 from rqt_mrta_py.transport import Dispatcher
 
 __all__ = ["TeamWatch"]
@@ -38,7 +38,8 @@ class TeamWatch:
         """
         self.mission = mission
         self.messages = 0
-        self._start = 0.0
+        self._codec = codec
+        self._start: Optional[float] = None
         self._events: List[Event] = []
         self._supervisor = Supervisor(
             mission,
@@ -66,11 +67,33 @@ class TeamWatch:
 
     def feed(self, stamped: Stamped) -> None:
         """Take in the next message of the stream."""
-        if not self.messages:
+        if self._start is None:
             self._start = stamped.receipt_ns / 1e9
         self.messages += 1
         self.traffic.count(stamped.connection, stamped.receipt_ns)
         self._dispatcher.feed(stamped)
+
+    def assume(self, stamped: Stamped, display: Display) -> None:
+        """Begin with how the team stands, as a supervisor tells it, and show what was not known.
+
+        Args:
+            stamped: the supervisor's message; its receipt is not before that of any message fed so far.
+            display: is told.
+
+        Raises:
+            TransportError: its bytes do not fit its definition.
+        """
+        connection = stamped.connection
+        told = standing_of(self._codec.decode(connection, stamped.raw))
+        # A clock that does not run tells no time.
+        now = stamped.receipt_ns / 1e9 or told.time
+        if self._start is None:
+            self._start = now
+        taken = self._supervisor.assume(
+            told, Heard(connection.topic, connection.type, now, {}, caller=connection.caller)
+        )
+        if taken:
+            display.stand(taken, connection.caller, now)
 
     def let_pass(self, now: float) -> None:
         """Let time pass though no message came: what falls due before a moment [s] happens."""
@@ -84,7 +107,7 @@ class TeamWatch:
         """Tell what has changed since this was last asked."""
         if self._events:
             events, self._events[:] = tuple(self._events), ()
-            display.tell(events, self._start)
+            display.tell(events, self._start or 0.0)
 
     def view(self, now: Optional[float], graph: Optional[CommunicationGraph]) -> WatchView:
         """Give everything as it is at a moment.

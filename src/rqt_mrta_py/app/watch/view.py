@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Dict, Iterable, List, Mapping, NamedTuple, Optional, Protocol, Sequence, Tuple
 
 from rqt_mrta_py.model import CommunicationGraph, Event, Mission, MissionRecord, Outcome
+from rqt_mrta_py.supervisor import Standing
 
 __all__ = ["Display", "WatchRequest", "WatchView"]
 
@@ -75,6 +76,16 @@ class Display(Protocol):
         Args:
             mission: what it is about.
             where: names the stream.
+        """
+        ...
+
+    def stand(self, standing: Standing, teller: str, now: float) -> None:
+        """Tell how the team stands when its watching begins, as far as it was not heard from itself.
+
+        Args:
+            standing: what is told.
+            teller: the node that tells it.
+            now: when it is heard [s].
         """
         ...
 
