@@ -11,6 +11,7 @@ from typing import Dict, Tuple
 import pytest
 
 from rqt_mrta_py.app.cli.main import main
+from rqt_mrta_py.transport import ChunkWalk
 from tests.ros.live_team import LiveRun, patrol_in, robot_agent
 from tests.ros_master import MasterProcess
 from tests.ros_process import PythonProcess, wait_for
@@ -157,7 +158,8 @@ def test_parameters_of_a_wrong_type_are_refused_in_one_line(master: MasterProces
 def test_ctrl_c_leaves_whole_files(master: MasterProcess, tmp_path: Path) -> None:
     plan = ("border_patrol", "--robots", "2", "--duration", "100", "--world", "planar")
     with LiveRun(tmp_path / "live", master.environment, *plan) as live:
-        wait_for(lambda: "/mrta/team_state" in str(master.ask("getSystemState")), 60.0)
+        active = live.out / "mission.bag.active"
+        wait_for(lambda: active.exists() and next(iter(ChunkWalk(active)), None), 60.0)
         live.send(signal.SIGINT)
         said = live.end()
     assert live.status == 130, said

@@ -16,6 +16,7 @@ from rqt_mrta_py.app.live.hold_back import agent_node
 from rqt_mrta_py.app.live.node_processes import NodeProcesses
 from rqt_mrta_py.app.live.own_master import some_master
 from rqt_mrta_py.app.live.served_parameters import ParameterPlaces
+from rqt_mrta_py.app.live.supervised_run import SupervisedRun
 from rqt_mrta_py.app.live.tick_messages import DONE_TOPIC, TICK_TOPIC, TickNews
 from rqt_mrta_py.app.live.tick_stream import Cut, TickStream
 from rqt_mrta_py.app.live.ways import foreseen_topics, overhear
@@ -26,7 +27,7 @@ from rqt_mrta_py.app.run.clock import RunClock
 from rqt_mrta_py.app.run.collector import rare_collections
 from rqt_mrta_py.app.run.preparation import Preparation
 from rqt_mrta_py.app.run.request import RunRequest
-from rqt_mrta_py.app.run.watch import SUPERVISOR_TOPICS, Watch, WatchPlan, open_watch
+from rqt_mrta_py.app.run.watch import SUPERVISOR_TOPICS, WatchPlan, open_watch
 from rqt_mrta_py.errors import MrtaError, TransportError
 from rqt_mrta_py.hooks import Stamped
 from rqt_mrta_py.sim import PerfectLink
@@ -168,21 +169,31 @@ class _Watching:
         """Watch until the mission is over, and write what is derived from it."""
         bus = Bus(self._node.codec, PerfectLink())
         with open_watch(self._plan, bus) as watch:
+            supervised = SupervisedRun(self._node, self._plan, watch)
+            bus.tap(supervised.note)
             bus.tap(self._pass_on)
-            observation = self._plan.observation
-            for topic in foreseen_topics(observation.mission, observation.wishes):
-                if self._wanted(topic, ""):
-                    self._node.hear_topic(topic, overhear)
-            self._node.hear(self._wanted, self._hear)
-            self._node.hear_topic(TICK_TOPIC, self._hear_tick)
-            over = False
-            while not over:
-                cut = self._next()
-                if cut is None:
-                    break
-                self._hand_on(watch, cut, progress)
-                over = cut.over
-            return watch.finish()
+            with supervised.serving():
+                self._listen()
+                over = False
+                while not over:
+                    cut = self._next()
+                    if cut is None:
+                        break
+                    with supervised.lock:
+                        self._hand_on(supervised, cut)
+                    if cut.ends is not None:
+                        progress(cut.ends)
+                    supervised.tell_health()
+                    over = cut.over
+                return supervised.finish()
+
+    def _listen(self) -> None:
+        observation = self._plan.observation
+        for topic in foreseen_topics(observation.mission, observation.wishes):
+            if self._wanted(topic, ""):
+                self._node.hear_topic(topic, overhear)
+        self._node.hear(self._wanted, self._hear)
+        self._node.hear_topic(TICK_TOPIC, self._hear_tick)
 
     def _wanted(self, topic: str, _type: str) -> bool:
         if topic in (TICK_TOPIC, DONE_TOPIC):
@@ -241,21 +252,20 @@ class _Watching:
             else:
                 _log.warning("node=%s has ended%s; the mission goes on", name, f" (signal {-status})" if status else "")
 
-    def _hand_on(self, watch: Watch, cut: Cut, progress: Callable[[int], None]) -> None:
-        _hear(watch, cut.before)
+    def _hand_on(self, supervised: SupervisedRun, cut: Cut) -> None:
+        _hear(supervised, cut.before)
         if cut.ends is not None:
-            watch.end_tick(cut.ends)
-            progress(cut.ends)
-        _hear(watch, cut.after)
+            supervised.end_tick(cut.ends)
+        _hear(supervised, cut.after)
 
 
-def _hear(watch: Watch, said: Sequence[Stamped]) -> None:
+def _hear(supervised: SupervisedRun, said: Sequence[Stamped]) -> None:
     """Hand messages on, those of one moment together."""
     start = 0
     for end in range(1, len(said) + 1):
         if end == len(said) or said[end].receipt_ns != said[start].receipt_ns:
             part = said[start:end]
-            watch.hear(
+            supervised.hear(
                 Batch.of(tuple(each.connection for each in part), part[0].receipt_ns, [each.raw for each in part])
             )
             start = end

@@ -11,7 +11,7 @@ import threading
 import time
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, List, Mapping, Optional, Set, Tuple
+from typing import Any, List, Mapping, Optional, Set
 
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.interrupt import Interrupt
@@ -59,6 +59,7 @@ class LiveSupervisor:
 
     Attributes:
         node: that hears and speaks.
+        lock: of the node.
         observation: of the mission; None until ``begin``.
         failure: what went wrong in the thread that looks at the clock; None if nothing did.
 
@@ -71,6 +72,7 @@ class LiveSupervisor:
 
     def __init__(self, node: RosNode, host: Host, options: LiveOptions, wrong_parameters: int = 0) -> None:
         self.node = node
+        self.lock = node.lock
         self.observation: Optional[Observation] = None
         self.failure: Optional[Exception] = None
         self._host = host
@@ -145,18 +147,6 @@ class LiveSupervisor:
     def incidents(self) -> List[Mapping[str, Any]]:
         """The incidents that last, as fields of their messages, by start; under the node's lock."""
         return self._open_incidents.listed()
-
-    @property
-    def known_tasks(self) -> Tuple[str, ...]:
-        """Ids of all tasks that were listed or heard of; under the node's lock."""
-        listed = [task.id for task in (*self.mission.tasks, *self.mission.later_tasks)]
-        heard = [] if self.observation is None else [task.id for task in self.observation.supervisor.record().tasks]
-        return tuple(dict.fromkeys((*listed, *heard)))
-
-    @property
-    def known_robots(self) -> Tuple[str, ...]:
-        """Ids of all robots that were listed or heard of; under the node's lock."""
-        return () if self.observation is None else tuple(self.observation.supervisor.robots)
 
     def open(self) -> None:
         """Tell the graph what will be published, and let time pass."""
@@ -342,7 +332,7 @@ class LiveSupervisor:
         if observation is not None and receipt:
             self._tell_team(observation, receipt / _NS)
         self._health.tell(self._counts(), wall, receipt / _NS)
-        robots = set(self.known_robots)
+        robots = set() if observation is None else set(observation.supervisor.robots)
         fresh = robots != self._robots
         self._robots = robots
         return fresh

@@ -13,9 +13,14 @@ _log = logging.getLogger("rqt_mrta_py.app")
 
 
 class OpenIncidents:
-    """Keeps what is wrong now."""
+    """Keeps what is wrong now.
 
-    def __init__(self) -> None:
+    Args:
+        aloud: whether each is logged when it begins.
+    """
+
+    def __init__(self, *, aloud: bool = True) -> None:
+        self._aloud = aloud
         self._open: Dict[object, Mapping[str, Any]] = {}
         self._error = ""
 
@@ -30,7 +35,8 @@ class OpenIncidents:
             self._open.pop(key, None)
             return
         self._open[key] = fields
-        _log.warning("incident=%s robots=%s tasks=%s %s", *key[:1], *key[2:], fields["text"])
+        if self._aloud:
+            _log.warning("incident=%s robots=%s tasks=%s %s", *key[:1], *key[2:], fields["text"])
         if fields["severity"] == Severity.ERROR.rank:
             self._error = str(fields["rule"])
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 import threading
 import time
+from pathlib import Path
 from typing import Any, List, NamedTuple, Optional, Sequence
 
 from rqt_mrta_py.app.compose import Host
@@ -117,7 +118,7 @@ def _work(node: RosNode, host: Host, ending: Ending) -> None:
         _log.error("%s", problem)
     given = named_mission(host, options.application, options.architecture, name="")
     supervisor = LiveSupervisor(node, host, options, len(reader.problems))
-    serve_supervisor(supervisor, options)
+    serve_supervisor(node, supervisor, options.snapshots or Path.cwd())
     supervisor.open()
     try:
         known = _mission(MissionEar(node), given, options, ending)

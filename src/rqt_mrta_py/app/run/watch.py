@@ -22,7 +22,10 @@ from rqt_mrta_py.hooks.patience import Patience
 from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
 from rqt_mrta_py.transport import BagWriter, Batch, Bus
 
-__all__ = ["STATE_PERIOD", "SUPERVISOR_TOPICS", "Watch", "WatchPlan", "Watcher", "open_watch"]
+__all__ = ["BAG", "STATE_PERIOD", "SUPERVISOR_TOPICS", "Watch", "WatchPlan", "Watcher", "open_watch"]
+
+BAG = "mission.bag"
+"""The name of the recording in the folder of outputs."""
 
 SUPERVISOR_TOPICS = (
     "/mrta/allocation",
@@ -126,6 +129,15 @@ class Watch:
         self._bag.write_batch(batch)
         self._plan.observation.feed_batch(batch)
 
+    def say(self, message: Outgoing, now: float) -> None:
+        """Say something that nobody here derived, such as an order of an operator.
+
+        Args:
+            message: what is said; it is heard like everything else.
+            now: the moment [s]; not before anything that was heard.
+        """
+        self._node.publish(message, now)
+
     def end_tick(self, tick: int) -> None:
         """Say what is new, draw what is due."""
         with self._plan.patience.at_work(f"the watching of the tick at {tick / self._plan.clock.rate:g} s"):
@@ -178,7 +190,7 @@ def open_watch(plan: WatchPlan, bus: Bus) -> Iterator[Watch]:
         plan: what to watch.
         bus: see Watch.
     """
-    path = plan.folder.path / "mission.bag"
+    path = plan.folder.path / BAG
     bag = BagWriter(path, checkpoint_period=CHECKPOINT_PERIOD, replace=plan.replace)
     watch = Watch(plan, bag, bus)
     with ExitStack() as stack:

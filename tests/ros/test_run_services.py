@@ -1,0 +1,78 @@
+"""A run of nodes answers and speaks as the node supervisor does, and its recording holds what it was ordered."""
+
+from __future__ import annotations
+
+import json
+import signal
+from pathlib import Path
+
+import pytest
+
+from rqt_mrta_py.app.cli.main import main
+from rqt_mrta_py.transport import read_bag
+from tests.ros.live_team import LiveRun, patrol_in
+from tests.ros_master import MasterProcess
+from tests.ros_process import PythonProcess
+
+pytestmark = pytest.mark.ros
+
+# Asks the supervisor, and comes late for whatever is latched.
+OPERATOR = """\
+from rqt_mrta_py.app.compose import compose
+from rqt_mrta_py.transport.ros1 import RosNode
+codec = compose().codec()
+node = RosNode.start("operator_of_test", codec)
+heard = {}
+
+def hear(stamped):
+    heard.setdefault(stamped.connection.topic, []).append(codec.decode(stamped.connection, stamped.raw))
+
+def call(name, kind, **fields):
+    return node.call("/supervisor/" + name, "rqt_mrta_py/" + kind, fields, 60.0)
+
+def answer(name, kind, **fields):
+    try:
+        return call(name, kind, **fields)
+    except Exception as error:
+        return str(error)
+
+def states():
+    state = answer("get_state", "GetState")
+    return {} if isinstance(state, str) else {each["task_id"]: each["state"] for each in state["state"]["tasks"]}
+"""
+EXECUTING, WITHDRAWN = 2, 5
+
+
+def test_run_answers_and_obeys_as_the_node_supervisor_does(master: MasterProcess, tmp_path: Path) -> None:
+    package = patrol_in(tmp_path, "  - {time: 9000, kind: robot_stops, robot: robot2}\n")
+    plan = (str(package), "--robots", "2", "--duration", "9999", "--factor", "2")
+    with PythonProcess(master.environment) as operator, LiveRun(tmp_path / "run", master.environment, *plan) as run:
+        operator.do(OPERATOR)
+        operator.until(f"{EXECUTING} in states().values()", 90.0)
+        assert (
+            operator.ask("call('submit_task', 'SubmitTask', task_yaml='{id: dig, kind: wander}')['task_id']") == "dig"
+        )
+        operator.do("call('reassign_task', 'ReassignTask', task_id='dig', robot_id='robot2')")
+        operator.do("call('withdraw_task', 'WithdrawTask', task_id='wander', reason='it is late')")
+        assert operator.ask("states()['wander']") == WITHDRAWN
+        refusal = operator.ask("answer('withdraw_task', 'WithdrawTask', task_id='nonsense')")
+        assert "task_id: nobody knows 'nonsense'" in refusal
+
+        picture = operator.ask("list(call('get_picture', 'GetPicture', format='png')['data'][:4])")
+        assert picture == [0x89, *b"PNG"]
+        snapshot = operator.ask("call('snapshot', 'Snapshot', seconds=5.0)")
+        assert Path(snapshot["path"]).parent == run.out
+        assert snapshot["messages"] == len(list(read_bag(Path(snapshot["path"])))) > 0
+
+        operator.do("for topic in ('/mrta/task_state', '/diagnostics'): node.hear_topic(topic, hear)")
+        operator.until("{'/mrta/task_state', '/diagnostics'} <= set(heard)", 60.0)
+        assert operator.ask("heard['/mrta/task_state'][0]['task_id']")
+        run.send(signal.SIGINT)
+        run.finish(130)
+        operator.do("node.shut_down('the test is over')")
+    events = [json.loads(line) for line in (run.out / "events.jsonl").read_text().splitlines()]
+    assert "wander is withdrawn: it is late" in [each["text"] for each in events]
+    review = tmp_path / "review"
+    assert main(["review", str(run.out / "mission.bag"), "--pictures", "0", "-q", "--out", str(review)]) == 0
+    for name in ("summary.json", "events.jsonl", "incidents.jsonl"):
+        assert (review / name).read_bytes() == (run.out / name).read_bytes(), name
