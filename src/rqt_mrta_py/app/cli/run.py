@@ -49,8 +49,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--ros",
         action="store_true",
-        help="world and robots as nodes of a ROS graph, supervised by the node /supervisor with its topics and services; "
-        "a master is started where ROS_MASTER_URI names this machine and none answers",
+        help="world and robots as nodes of a ROS graph, with a node /supervisor that answers; a master is started where "
+        "ROS_MASTER_URI names this machine and none answers",
     )
     parser.add_argument(
         "--lock-step",
