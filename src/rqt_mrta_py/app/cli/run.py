@@ -49,7 +49,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--ros",
         action="store_true",
-        help="world and robots as nodes of a ROS graph, with a node /supervisor that answers; a master is started where "
+        help="world and robots as nodes of a ROS graph, with /supervisor as a node too; a master is started where "
         "ROS_MASTER_URI names this machine and none answers",
     )
     parser.add_argument(
