@@ -61,11 +61,12 @@ class AgentLoop:
         self._resolved: Dict[str, str] = {}
         self._foreseen: List[Tuple[str, str, bool]] = []
 
-    def listen(self, mission: Mission) -> None:
+    def listen(self, mission: Mission, *, own_time: bool = False) -> None:
         """Begin to hear; of ticks last, for the simulation takes it that who hears them hears everything.
 
         Args:
             mission: tells robots and tasks.
+            own_time: whether turns are taken by the clock, and not as a simulation tells.
         """
         node = self._node
         team = [robot.id for robot in mission.application.robots]
@@ -86,7 +87,8 @@ class AgentLoop:
                 return topic not in known and any(each.match(topic) is not None for each in unknown)
 
             node.hear(wanted, self._hear)
-        node.hear_topic(TICK_TOPIC, self._hear_tick)
+        if not own_time:
+            node.hear_topic(TICK_TOPIC, self._hear_tick)
 
     def _foresee(self, mission: Mission) -> None:
         """Let others find the topics on which the robot will speak; the first turn waits for them."""

@@ -97,7 +97,7 @@ def _work(node: RosNode, host: Host, ending: Ending) -> None:
         )
 
     loop = AgentLoop(node, make_side, witnesses, lambda: ending.wait(0.0))
-    loop.listen(mission)
+    loop.listen(mission, own_time=own_time)
     tasks = len(mission.tasks) + len(mission.later_tasks)
     _log.info("robot=%s architecture=%s tasks=%d", robot, mission.architecture.package, tasks)
     with rare_collections():
