@@ -10,7 +10,11 @@ import time
 from pathlib import Path
 from typing import Dict, List
 
+import pytest
+
+from rqt_mrta_py.app.run import watch_process
 from rqt_mrta_py.transport import read_bag, read_bag_info
+from tests.app.outputs import Mrta
 
 MANIFEST = """<package format="3">
   <name>stranger</name> <version>0.1.0</version> <description>d</description>
@@ -104,6 +108,28 @@ def test_a_failure_of_the_watching_side_is_told_as_if_there_were_one_process(tmp
     assert status == 3
     assert "touchy" in line
     assert "ouch" in line
+
+
+def test_a_tick_handed_over_piece_by_piece_is_watched_as_one(
+    mrta: Mrta, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Pieces of a real size take a team of hundreds.
+    monkeypatch.setattr(watch_process, "_PIECE_SIZE", 100)
+    sent: List[bytes] = []
+    send = watch_process.WatchProcess._send
+
+    def spy(process: watch_process.WatchProcess, message: bytes) -> None:
+        sent.append(message)
+        send(process, message)
+
+    monkeypatch.setattr(watch_process.WatchProcess, "_send", spy)
+    for processes in ("1", "2"):
+        mission = ("--duration", "3", "--pictures", "1", "--out", str(tmp_path / processes))
+        status, _ = mrta("run", "border_patrol", *mission, "--processes", processes)
+        assert status == 0
+    assert sent.count(b"more") > 3 * 20, "several pieces a tick"
+    one, two = (tmp_path / "1" / "mission.bag").read_bytes(), (tmp_path / "2" / "mission.bag").read_bytes()
+    assert two == one
 
 
 def test_a_watching_side_that_is_killed_is_told_in_one_line(tmp_path: Path) -> None:

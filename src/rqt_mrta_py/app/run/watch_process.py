@@ -15,7 +15,7 @@ import threading
 import traceback
 from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection
-from typing import Any, Callable, Iterator, List, NamedTuple, Optional, Tuple
+from typing import Any, Iterator, List, NamedTuple, Optional, Tuple
 
 from rqt_mrta_py.app.outputs.results import Results
 from rqt_mrta_py.app.processes import sendable
@@ -34,6 +34,15 @@ _PATIENCE = 0.5
 _END = 30.0
 """How long the process may take to complete the bag when a run is given up [s]."""
 
+_F_SETPIPE_SZ = 1031
+"""Linux's number of the call; ``fcntl`` names it from Python 3.10 on."""
+_PIPE_SIZE = 1 << 20
+"""What the pipe is to hold [bytes]: the most that Linux grants to anybody."""
+_PIECE_SIZE = _PIPE_SIZE // 2
+"""How much of a tick is held back before it is handed over [bytes]."""
+
+_MORE = b"more"
+"""Comes before a piece that does not end its tick."""
 _FINISH = b"finish"
 _GIVE_UP = b"give up"
 
@@ -49,8 +58,7 @@ class _RemoteError(Exception):
 class WatchProcess:
     """Tells another process what a run does; made by ``open_watch_process``.
 
-    Attributes:
-        hear: takes in messages.
+    What a large team says in a tick is handed over piece by piece, so that a write need not wait for the reader.
     """
 
     def __init__(self, plan: WatchPlan, codec: Codec) -> None:
@@ -62,6 +70,7 @@ class WatchProcess:
         """
         context = multiprocessing.get_context("fork")
         told, tell = context.Pipe(duplex=False)
+        _widen(tell)
         answers, answer = context.Pipe(duplex=False)
         ticks = max(1, int(_LAG * plan.clock.rate))
         self._room: Any = context.Semaphore(ticks)
@@ -69,7 +78,8 @@ class WatchProcess:
         self._answers: Connection = answers
         self._packer = BatchPacker()
         self._pending: List[Batch] = []
-        self.hear: Callable[[Batch], None] = self._pending.append
+        self._pending_bytes = 0
+        self._has_room = False
         # What is buffered now would be written twice.
         sys.stdout.flush()
         sys.stderr.flush()
@@ -83,17 +93,28 @@ class WatchProcess:
         told.close()
         answer.close()
 
-    def end_tick(self, tick: int) -> None:
-        """Hand over what was heard in a tick; waits while the other process lags too far behind.
+    def hear(self, batch: Batch) -> None:
+        """Take in messages of the present tick.
 
         Raises:
             MrtaError: of whatever went wrong there.
         """
-        while not self._room.acquire(timeout=_PATIENCE):
-            self._look()
-        piece = self._packer.pack(self._pending)
-        self._pending.clear()
-        self._send(piece)
+        self._pending.append(batch)
+        self._pending_bytes += len(batch.content)
+        if self._pending_bytes > _PIECE_SIZE:
+            self._await_room()
+            self._send(_MORE)
+            self._hand_over()
+
+    def end_tick(self, tick: int) -> None:
+        """Hand over what is left of a tick; waits while the other process lags too far behind.
+
+        Raises:
+            MrtaError: of whatever went wrong there.
+        """
+        self._await_room()
+        self._hand_over()
+        self._has_room = False
 
     def finish(self) -> Results:
         """End the stream and wait for what is derived from it.
@@ -123,6 +144,19 @@ class WatchProcess:
                 self._process.join()
         self._tell.close()
         self._answers.close()
+
+    def _await_room(self) -> None:
+        """Wait until one more tick may be on its way."""
+        while not self._has_room:
+            self._has_room = self._room.acquire(timeout=_PATIENCE)
+            if not self._has_room:
+                self._look()
+
+    def _hand_over(self) -> None:
+        piece = self._packer.pack(self._pending)
+        self._pending.clear()
+        self._pending_bytes = 0
+        self._send(piece)
 
     def _send(self, message: bytes) -> None:
         try:
@@ -156,6 +190,13 @@ class WatchProcess:
             raise error from _RemoteError(where)
         answer: Results = results
         return answer
+
+
+def _widen(pipe: Connection) -> None:
+    with suppress(ImportError, OSError):  # other systems have no such call, and an administrator may set a limit
+        import fcntl
+
+        fcntl.fcntl(pipe.fileno(), _F_SETPIPE_SZ, _PIPE_SIZE)
 
 
 @contextmanager
@@ -227,6 +268,7 @@ def _watch(ends: _Ends) -> Optional[Results]:
     bus = Bus(ends.codec, PerfectLink())
     with open_watch(ends.plan, bus) as watch:
         tick = 0
+        ends_tick = True
         while True:
             message = inbox.get()
             if message is None:
@@ -236,12 +278,17 @@ def _watch(ends: _Ends) -> Optional[Results]:
                 return None
             if message == _FINISH:
                 return watch.finish()
+            if message == _MORE:
+                ends_tick = False
+                continue
             with ends.plan.patience.at_work(f"the watching of the tick at {tick / ends.plan.clock.rate:g} s"):
                 for batch in unpacker.unpack(message):
                     watch.hear(batch)
-            watch.end_tick(tick)
-            tick += 1
-            ends.room.release()
+            if ends_tick:
+                watch.end_tick(tick)
+                tick += 1
+                ends.room.release()
+            ends_tick = True
 
 
 def _read(told: Connection, inbox: queue.Queue[Optional[bytes]]) -> None:

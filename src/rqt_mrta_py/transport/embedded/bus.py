@@ -205,7 +205,12 @@ class Bus:
                         raw = publisher.raw if message is publisher.said else publisher.encode(codec, message)
                         connections.append(publisher.connection)
                         raws.append(raw)
-                        if heard:
+                        own = publisher.own
+                        if own is not None:
+                            # A robot's command to its own hardware: most messages of a mission.
+                            inbox, hearings = own
+                            inbox.arrived.append((now, (publisher.connection, ordinal, raw, publisher.read), hearings))
+                        elif heard:
                             self._hand_out(publisher, ordinal, raw, publisher.read)
         finally:
             if tapped and raws:
@@ -282,8 +287,12 @@ class Bus:
             self._tell(batch)
         if choir.lines:
             messages: List[Message] = [(*message, {}) for message in zip(choir.connections, ordinals, batch.raws)]
+            now = self._now
             for row, sender, robot, inbox, hearings in choir.lines:
-                self._send(sender, robot, inbox, messages[row], hearings)
+                if sender == robot:
+                    inbox.arrived.append((now, messages[row], hearings))
+                else:
+                    self._send(sender, robot, inbox, messages[row], hearings)
 
     def _count_up(self) -> None:
         """Count what nobody has noticed, before somebody may."""

@@ -7,7 +7,7 @@ from typing import Optional, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Codec, Connection, Outgoing
-from rqt_mrta_py.transport.embedded.inbox import Message, Read
+from rqt_mrta_py.transport.embedded.inbox import Hearing, Inbox, Message, Read
 from rqt_mrta_py.transport.embedded.wiring import Receiver, Topic, Wiring
 
 __all__ = ["Publisher"]
@@ -27,6 +27,8 @@ class Publisher:
         ordinals: of the topic.
         seq: how many messages it has published.
         receivers: who hears them, as of ``version``.
+        own: the only one who hears them, if it runs on the same robot and none of them is latched, with its
+            subscriptions; else None.
         version: see Wiring.
         last: the message that late subscribers get; None if there is none.
         said: the latest message, if saying it again means the same bytes; None if not.
@@ -39,6 +41,7 @@ class Publisher:
         "header",
         "last",
         "ordinals",
+        "own",
         "raw",
         "read",
         "receivers",
@@ -57,6 +60,7 @@ class Publisher:
         self.ordinals = topic.ordinals
         self.seq = 0
         self.receivers: Tuple[Receiver, ...] = ()
+        self.own: Optional[Tuple[Inbox, Tuple[Hearing, ...]]] = None
         self.version = -1
         self.last: Optional[Message] = None
         self.raw = b""
@@ -66,6 +70,8 @@ class Publisher:
     def look_around(self, wiring: Wiring) -> None:
         """Find out anew who hears."""
         self.receivers = wiring.receivers(self.topic, self.connection)
+        is_alone = len(self.receivers) == 1 and self.receivers[0].robot == self.robot
+        self.own = self.receivers[0][1:] if is_alone and not self.connection.latched else None
         self.version = wiring.version
 
     def encode(self, codec: Codec, said: Outgoing) -> bytes:
