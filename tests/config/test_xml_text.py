@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import pytest
@@ -46,15 +45,13 @@ def test_parameter_entity_and_external_subset_reach_no_file(tmp_path: Path) -> N
     assert "leaked" not in "".join(root.itertext())
 
 
-def test_bomb_of_attributes_is_refused_at_once() -> None:
+def test_bomb_of_attributes_is_refused_unexpanded() -> None:
     lines = ['<!ENTITY e0 "aaaaaaaaaa">', *(f'<!ENTITY e{n} "{f"&e{n - 1};" * 10}">' for n in range(1, 10))]
-    started = time.perf_counter()
 
+    # Expanded, it would take gigabytes.
     said = said_of(f'<!DOCTYPE a [{"".join(lines)}]><a b="&e9;"/>')
 
     assert said == "f.xml:1: declares the entity 'e0'; entities are not accepted"
-    # It takes microseconds; expanded, it would take gigabytes.
-    assert time.perf_counter() - started < 5.0
 
 
 def test_deep_nesting_is_refused() -> None:
