@@ -14,10 +14,11 @@ from rqt_mrta_py.supervisor.news import ROBOT_CODES, TASK_CODES
 from rqt_mrta_py.supervisor.tasks import FINAL
 from rqt_mrta_py.supervisor.team import Team
 
-__all__ = ["Standing", "assume", "standing_of"]
+__all__ = ["TASK_STATES", "Standing", "assume", "standing_of"]
 
 _ROBOT_STATES = {code: state for state, code in ROBOT_CODES.items()}
-_TASK_STATES = {code: state for state, code in TASK_CODES.items()}
+TASK_STATES = {code: state for state, code in TASK_CODES.items()}
+"""States of tasks by their codes in messages."""
 
 
 class Standing(NamedTuple):
@@ -48,7 +49,7 @@ def standing_of(fields: Mapping[str, Any]) -> Standing:
     return Standing(
         float(fields["header"]["stamp"]),
         tuple((robot, _ROBOT_STATES[code]) for robot, code in robots if code in _ROBOT_STATES),
-        tuple((task, _TASK_STATES[code]) for task, code in tasks if task and code in _TASK_STATES),
+        tuple((task, TASK_STATES[code]) for task, code in tasks if task and code in TASK_STATES),
         tuple(holds),
     )
 

@@ -4,7 +4,8 @@
   ``supervisor_services``: what it is asked
 * ``intake``: which messages are taken in at once; ``live_pictures``: pictures at a period
 * ``options``: its private parameters; ``interest``: which topics it hears; ``stream_clock``: its times of receipt
-* ``recording``: into a bag, beside the stream; ``ring_buffer``, ``snapshots``: the last seconds, when they matter
+* ``recording``: into a bag, beside the stream; ``resumption``: what is known of one that broke off
+* ``ring_buffer``, ``snapshots``: the last seconds, when they matter
 * ``drawing``: pictures in another process; ``health``, ``health_report``, ``tally``: how the supervisor itself is
 * ``orders``: what operators order; ``open_incidents``: what is wrong now
 * ``live_run``: a mission as nodes, from what the user asks for to its outputs; ``node_processes``, ``own_master``: what

@@ -11,6 +11,7 @@ from typing import Any, List, NamedTuple, Optional, Sequence
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.live.live_supervisor import LiveSupervisor
 from rqt_mrta_py.app.live.options import LiveOptions, ParameterReader, read_options
+from rqt_mrta_py.app.live.resumption import resume
 from rqt_mrta_py.app.live.supervisor_services import serve_supervisor
 from rqt_mrta_py.app.mission_message import MISSION_TOPIC, MISSION_TYPE, mission_from_fields
 from rqt_mrta_py.app.mission_source import named_mission
@@ -132,6 +133,7 @@ def _work(node: RosNode, host: Host, ending: Ending) -> None:
                 len(mission.application.robots),
                 len(mission.tasks),
             )
+            resume(supervisor)
             with rare_collections():
                 ending.wait()
     finally:
