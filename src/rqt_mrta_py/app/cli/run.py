@@ -50,7 +50,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--ros",
         action="store_true",
         help="world and robots as nodes of a ROS graph, with /supervisor as a node too; a master is started where "
-        "ROS_MASTER_URI names this machine and none answers",
+        "ROS_MASTER_URI names this machine and none answers; a scenario whose radio is not perfect is refused",
     )
     parser.add_argument(
         "--lock-step",
