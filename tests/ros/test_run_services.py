@@ -36,19 +36,32 @@ def answer(name, kind, **fields):
     except Exception as error:
         return str(error)
 
+def graph():
+    known = node.graph()
+    wanted = [topic for topic in known.publishers if "/alliance/" in topic]
+    return {topic: [sorted(known.publishers[topic]), sorted(known.subscribers.get(topic, ()))] for topic in wanted}
+
 def states():
     state = answer("get_state", "GetState")
     return {} if isinstance(state, str) else {each["task_id"]: each["state"] for each in state["state"]["tasks"]}
 """
 EXECUTING, WITHDRAWN = 2, 5
+COMMUNICATION = "/alliance/inter_robot_communication"
 
 
 def test_run_answers_and_obeys_as_the_node_supervisor_does(master: MasterProcess, tmp_path: Path) -> None:
     package = patrol_in(tmp_path, "  - {time: 9000, kind: robot_stops, robot: robot2}\n")
-    plan = (str(package), "--robots", "2", "--duration", "9999", "--factor", "2")
+    plan = (str(package), "--robots", "3", "--duration", "9999", "--factor", "2")
     with PythonProcess(master.environment) as operator, LiveRun(tmp_path / "run", master.environment, *plan) as run:
         operator.do(OPERATOR)
         operator.until(f"{EXECUTING} in states().values()", 90.0)
+        # The dissertation's figure of three robots: all say and hear what they do, each says alone what moves it to it.
+        agents, tasks = [f"/robot{number}/agent" for number in (1, 2, 3)], ("border_protection", "report", "wander")
+        figure = {COMMUNICATION: [agents, [*agents, "/supervisor"]]}
+        for number, agent in enumerate(agents, 1):
+            for topic in (*(f"motivation/{task}" for task in tasks), "sensory_feedback", "time_to_activation"):
+                figure[f"/robot{number}/alliance/{topic}"] = [[agent], ["/supervisor"]]
+        operator.until(f"graph() == {figure!r}")
         assert (
             operator.ask("call('submit_task', 'SubmitTask', task_yaml='{id: dig, kind: wander}')['task_id']") == "dig"
         )

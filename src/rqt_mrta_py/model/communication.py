@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Dict, List, NamedTuple, Optional, Tuple
+from typing import Callable, Dict, List, NamedTuple, Optional, Tuple
 
 __all__ = ["CommunicationGraph", "Flow", "TopicTraffic"]
 
@@ -53,6 +53,17 @@ class CommunicationGraph:
 
     flows: Tuple[Flow, ...]
     subscriptions: Optional[Tuple[Tuple[str, str], ...]] = None
+
+    def restricted(self, wanted: Callable[[str], bool]) -> CommunicationGraph:
+        """Give what is left with some of the topics; nodes that neither say nor hear any of them are not in it.
+
+        Args:
+            wanted: tells whether to keep a topic.
+        """
+        hearing = self.subscriptions
+        if hearing is not None:
+            hearing = tuple(pair for pair in hearing if wanted(pair[0]))
+        return CommunicationGraph(tuple(flow for flow in self.flows if wanted(flow.topic)), hearing)
 
     @property
     def nodes(self) -> Tuple[str, ...]:

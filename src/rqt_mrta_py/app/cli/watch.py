@@ -33,6 +33,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--picture", metavar="FILE", type=Path, help="draw nodes and topics to FILE (PNG) at the end; implies --graph"
     )
+    parser.add_argument(
+        "--topics",
+        metavar="PATTERN",
+        action="append",
+        default=[],
+        help="of nodes and topics show only these, with * and ?, for instance '*/alliance/*'; !PATTERN leaves topics "
+        "out; may be given several times; implies --graph",
+    )
     parser.add_argument("--json", action="store_true", help="print as JSON, one document a line")
 
 
@@ -41,6 +49,7 @@ def main(options: argparse.Namespace) -> int:
     from rqt_mrta_py.app.cli.watch_display import display_for
     from rqt_mrta_py.app.compose import compose
     from rqt_mrta_py.app.interrupt import Interrupt
+    from rqt_mrta_py.app.live.interest import TopicChoice
     from rqt_mrta_py.app.watch.bag import watch_bag
     from rqt_mrta_py.app.watch.view import WatchRequest
 
@@ -52,7 +61,8 @@ def main(options: argparse.Namespace) -> int:
         architecture=options.architecture,
         follow=options.follow,
         timeout=options.timeout,
-        graph=options.graph or options.picture is not None,
+        graph=options.graph or options.picture is not None or bool(options.topics),
+        topics=TopicChoice.of(options.topics),
         arguments=tuple(argument for argument in sys.argv[1:] if ":=" in argument),
     )
     with standard_output(), Interrupt() as interrupt, display_for(options) as display:

@@ -57,6 +57,10 @@ class TopicChoice:
         """Tell whether a topic is left out."""
         return any(fnmatchcase(topic, pattern) for pattern in self.left_out)
 
+    def keeps(self, topic: str) -> bool:
+        """Tell whether a topic is one of those named, of all if none is, and not left out."""
+        return (not self.named or self.names(topic)) and not self.leaves_out(topic)
+
 
 class Interest:
     """Decides topic by topic.

@@ -153,4 +153,5 @@ class _Follower:
             self._display.show(self._view(watch))
 
     def _view(self, watch: TeamWatch) -> WatchView:
-        return watch.view(None, watch.traffic.recorded() if self._request.graph else None)
+        graph = watch.traffic.recorded().restricted(self._request.topics.keeps) if self._request.graph else None
+        return watch.view(None, graph)

@@ -173,7 +173,7 @@ class _MasterWatch:
                     return None
         with self._node.lock:
             flows = watch.traffic.flows(now)
-        return live_graph(self._known, flows, self._node.name)
+        return live_graph(self._known, flows, self._node.name).restricted(self._request.topics.keeps)
 
     def _hear_standing(self, stamped: Stamped) -> None:
         """Keep how the team stands, as a supervisor tells it, until it is known which team is watched."""

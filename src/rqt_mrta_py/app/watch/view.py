@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Dict, Iterable, List, Mapping, NamedTuple, Optional, Protocol, Sequence, Tuple
 
+from rqt_mrta_py.app.live.interest import TopicChoice
 from rqt_mrta_py.model import CommunicationGraph, Event, Mission, MissionRecord, Outcome
 from rqt_mrta_py.supervisor import Standing
 
@@ -21,6 +22,7 @@ class WatchRequest(NamedTuple):
         follow: go on when everything that is there has been read; None: while the bag is not complete.
         timeout: end when nothing has been heard for so long [s]; None: never.
         graph: watch nodes and topics too.
+        topics: which of them are shown.
         arguments: ROS remappings for the node that listens.
     """
 
@@ -30,6 +32,7 @@ class WatchRequest(NamedTuple):
     follow: Optional[bool] = None
     timeout: Optional[float] = None
     graph: bool = False
+    topics: TopicChoice = TopicChoice()
     arguments: Sequence[str] = ()
 
 

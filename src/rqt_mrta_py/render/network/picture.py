@@ -12,7 +12,7 @@ from rqt_mrta_py.render.network.folding import Folded, folded
 from rqt_mrta_py.render.network.layering import layered
 from rqt_mrta_py.render.network.ordering import ordered
 from rqt_mrta_py.render.network.placing import heights
-from rqt_mrta_py.render.palette import ACCENT, FRAME, INK, MUTED, PAGE, RED, TRAIL, WHITE, Colour
+from rqt_mrta_py.render.palette import ACCENT, FRAME, HAPPENING, INK, MUTED, PAGE, RED, TRAIL, WHITE, Colour
 from rqt_mrta_py.render.text import Style, fit, shorten, text_width
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ __all__ = ["draw_communication"]
 _MOST_TOPICS = 40
 _NAME, _DETAIL, _NODE = Style(14, bold=True), Style(12), Style(14, bold=True)
 _TITLE, _WORDS = Style(20, bold=True), Style(13)
-_WIDEST = 380.0
+_WIDEST = 440.0
 _TOPIC_HEIGHT, _NODE_HEIGHT, _PASSING = 44.0, 32.0, 4.0
 _GAP, _BETWEEN, _MARGIN, _HEAD, _FOOT = 14.0, 110.0, 28.0, 58.0, 44.0
 _LEAST_WIDTH, _LEAST_HEIGHT = 760.0, 200.0
@@ -85,11 +85,12 @@ def draw_communication(graph: CommunicationGraph, robots: Sequence[str] = ()) ->
         vertex: _box(column_of[vertex], _HEAD + places[vertex], sizes[vertex], vertices[vertex].width)
         for vertex in range(len(vertices))
     }
-    for number, edge in enumerate(edges):
+    # Those who talk with one another are drawn last: their lines lie above the others.
+    for number, edge in sorted(enumerate(edges), key=lambda each: (each[1].says and each[1].hears, each[0])):
         _draw_edge(canvas, edge, found.chains[number], boxes, {v: (column_of[v], _HEAD + y) for v, y in places.items()})
     for vertex, box in boxes.items():
         _draw_vertex(canvas, vertices[vertex], box)
-    _draw_words(canvas, small, width, height)
+    _draw_words(canvas, small, width, height, any(edge.says and edge.hears for edge in edges))
     return canvas.image
 
 
@@ -150,15 +151,19 @@ def _draw_edge(
             stops.append((left, y))
         if number < len(chain) - 1:
             stops.append((right, y))
-    colour = ACCENT if edge.says else TRAIL
+    colour = _colour(edge.says, edge.hears)
     ends: Dict[int, Point] = {chain[0]: stops[0], chain[-1]: stops[-1]}
     line: List[Point] = []
     for number, (before, after) in enumerate(zip(stops, stops[1:])):
         line += [before, after] if number % 2 else _bend(before, after)
-    canvas.line(line, colour)
+    canvas.line(line, colour, 2 if edge.says and edge.hears else 1)
     for vertex, wanted in ((edge.topic, edge.says), (edge.node, edge.hears)):
         if wanted:
             _draw_arrow(canvas, ends[vertex], 1.0 if vertex == chain[-1] else -1.0, colour)
+
+
+def _colour(says: bool, hears: bool) -> Colour:
+    return HAPPENING if says and hears else ACCENT if says else TRAIL
 
 
 def _bend(before: Point, after: Point) -> List[Point]:
@@ -191,7 +196,7 @@ def _draw_vertex(canvas: Canvas, vertex: _Vertex, box: Box) -> None:
     canvas.text(x, y + 10.0, vertex.detail, _DETAIL, RED if vertex.warns else MUTED, WHITE, 0.5)
 
 
-def _draw_words(canvas: Canvas, small: Folded, width: float, height: float) -> None:
+def _draw_words(canvas: Canvas, small: Folded, width: float, height: float, talks: bool) -> None:
     graph = small.graph
     canvas.text(_MARGIN, 28.0, "Nodes and topics", _TITLE, INK, PAGE)
     said = f"{_counted(graph.nodes, small, 'node')}, {_counted([topic.name for topic in graph.topics], small, 'topic')}"
@@ -200,12 +205,15 @@ def _draw_words(canvas: Canvas, small: Folded, width: float, height: float) -> N
     canvas.text(width - _MARGIN, 28.0, said, _WORDS, MUTED, PAGE, 1.0)
     y = height - 20.0
     x = _MARGIN
-    for colour, words in ((ACCENT, "says"), (TRAIL, "hears")):
+    kinds = [(ACCENT, "says"), (TRAIL, "hears"), (HAPPENING, "says and hears")]
+    for colour, words in kinds if talks else kinds[:2]:
         if colour == TRAIL and graph.subscriptions is None:
             canvas.text(x, y, "who hears is not recorded", _WORDS, MUTED, PAGE)
             break
         canvas.line([(x, y), (x + 30.0, y)], colour, 2)
         _draw_arrow(canvas, (x + 34.0, y), 1.0, colour)
+        if colour == HAPPENING:
+            _draw_arrow(canvas, (x - 4.0, y), -1.0, colour)
         x += 70.0 + canvas.text(x + 44.0, y, words, _WORDS, MUTED, PAGE)
 
 
