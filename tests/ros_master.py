@@ -64,7 +64,7 @@ class MasterProcess:
         if kill:
             process.kill()
         process.stdin.close()
-        process.wait(timeout=20)
+        process.wait(timeout=60)
         process.stdout.close()
 
     def ask(self, method: str, *arguments: object) -> Any:

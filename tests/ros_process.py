@@ -15,7 +15,10 @@ from typing import Any, Callable, Mapping, Optional, Type
 
 import pytest
 
-__all__ = ["PythonProcess", "require_live_ros", "wait_for"]
+__all__ = ["LONGEST", "PythonProcess", "require_live_ros", "wait_for"]
+
+LONGEST = 60.0
+"""How long whatever is waited for may take on a loaded machine [s]."""
 
 _ROOT = Path(__file__).resolve().parent.parent
 
@@ -89,7 +92,7 @@ class PythonProcess:
         """Evaluate an expression whose value JSON can carry."""
         return self._tell("ask", text)
 
-    def until(self, text: str, timeout: float = 10.0) -> None:
+    def until(self, text: str, timeout: float = LONGEST) -> None:
         """Wait until an expression becomes true."""
         if not self._tell("until", text, timeout):
             pytest.fail(f"after {timeout} s it still is not so: {text}")
@@ -98,11 +101,11 @@ class PythonProcess:
         """Send a signal, without waiting for what becomes of it."""
         self._process.send_signal(number)
 
-    def end(self, timeout: float = 10.0) -> int:
+    def end(self, timeout: float = LONGEST) -> int:
         """Wait for the process to end by itself; give its exit code."""
         return self._process.wait(timeout)
 
-    def leave(self, timeout: float = 10.0) -> int:
+    def leave(self, timeout: float = LONGEST) -> int:
         """Let the process reach the end of its program; give its exit code."""
         assert self._process.stdin is not None
         self._process.stdin.close()
@@ -114,7 +117,7 @@ class PythonProcess:
         assert self._process.stdout is not None
         if self._process.poll() is None:
             self._process.kill()
-        self._process.wait(10)
+        self._process.wait(LONGEST)
         try:
             self._process.stdin.close()
         except BrokenPipeError:
@@ -127,13 +130,13 @@ class PythonProcess:
         self._process.stdin.write(json.dumps([kind, text, timeout]) + "\n")
         self._process.stdin.flush()
         line = self._process.stdout.readline()
-        assert line, f"the process ended with {self._process.wait(5)} when told: {text}"
+        assert line, f"the process ended with {self._process.wait(LONGEST)} when told: {text}"
         good, value = json.loads(line)
         assert good, value
         return value
 
 
-def wait_for(condition: Callable[[], object], timeout: float = 10.0) -> None:
+def wait_for(condition: Callable[[], object], timeout: float = LONGEST) -> None:
     """Wait until a function gives something true."""
     end = time.monotonic() + timeout
     while not condition():

@@ -160,6 +160,9 @@ def test_a_mission_is_waited_for_and_the_next_one_begins_anew(master: MasterProc
         "mission",
         "end",
     ]
-    first = next(each for each in watcher.documents if each["line"] == "end")
-    assert {"id": "wander", "state": "executing", "robots": ["robot1"]} in first["tasks"]
+    lines = [each["line"] for each in watcher.documents]
+    first = watcher.documents[lines.index("end")]
+    # Whether robot1 still has it then is a matter of how punctually it was heard.
+    assert "wander" in [task["id"] for task in first["tasks"]]
+    assert any(map(event("allocation_started", task="wander"), watcher.documents[: lines.index("end")]))
     assert "wander" not in [task["id"] for task in end["tasks"]]
