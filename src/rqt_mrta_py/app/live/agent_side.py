@@ -6,7 +6,7 @@ import logging
 from typing import Callable, Collection, List, Optional, Sequence, Tuple
 
 from rqt_mrta_py.app.live.arrivals import Arrivals
-from rqt_mrta_py.app.live.hold_back import HoldBack
+from rqt_mrta_py.app.live.hold_back import SIMULATION, HoldBack, agent_node
 from rqt_mrta_py.app.live.tick_messages import Said, TickNews
 from rqt_mrta_py.app.run.clock import RunClock
 from rqt_mrta_py.hooks import AnyOutgoing, Codec, Heard, Stamped, Subscription
@@ -127,7 +127,7 @@ class AgentSide:
             self._arrivals.forgo()
             turn = self._arrivals.take(tick, news.clock_offsets)
             if returns:
-                turn = ()
+                turn = [stamped for stamped in turn if self._is_not_missed(stamped)]
         else:
             heard = self._hold_back.take(clock.stamp_ns(tick - 1), clock.stamp_ns(tick))
             missed = () if returns else (*heard.agents, *heard.events)
@@ -154,6 +154,13 @@ class AgentSide:
 
     def _hears(self, topic: str) -> bool:
         return any(pattern.match(topic) is not None for pattern in self._patterns)
+
+    def _is_not_missed(self, stamped: Stamped) -> bool:
+        """Tell whether a robot that returns hears something that is there: its senses, and what strangers say."""
+        caller, topic = stamped.connection.caller, stamped.connection.topic
+        if caller == SIMULATION:
+            return topic.startswith(f"/{self.robot}/")
+        return caller not in map(agent_node, self._team)
 
     def _step(self, tick: int, now: float, turn: Sequence[Stamped], stopped: bool) -> Sequence[AnyOutgoing]:
         if stopped != self._is_stopped:
