@@ -102,7 +102,7 @@ def test_roslaunch_tells_what_arguments_mean(tmp_path: Path) -> None:
 
 
 def test_the_aggregator_is_told_of_our_health() -> None:
-    """No more than the form; ``test_displays`` asks an aggregator where one is installed."""
+    """No more than the form; ``test_displays.py`` asks an aggregator where one is installed."""
     text = (ROOT / "config" / "diagnostic_aggregator.yaml").read_text(encoding="utf-8")
     analyzers = yaml.safe_load(text)["analyzers"]
     assert {analyzer["type"] for analyzer in analyzers.values()} == {"diagnostic_aggregator/GenericAnalyzer"}
