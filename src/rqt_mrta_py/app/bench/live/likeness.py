@@ -3,17 +3,28 @@
 from __future__ import annotations
 
 import json
+import math
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack
 from pathlib import Path
+from queue import SimpleQueue
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
+from rqt_mrta_py.app.bench.live.session import LiveSession
 from rqt_mrta_py.errors import UsageError
 
 __all__ = ["Likeness", "deviation", "highest_sustained", "measure_likeness"]
 
 _SUSTAINED = "the clock could not keep up"
 """With this the simulation begins to tell that it was too slow."""
+
+_BRIEF = 0.5
+"""What lasted less is not compared: what begins and ends in one tick is no allocation, in two ticks it is [s]."""
+
+_START_UP = 8.0
+"""What a mission takes besides its own time, for what is foretold [s]."""
 
 
 class Likeness(NamedTuple):
@@ -36,67 +47,82 @@ class Likeness(NamedTuple):
     sustained: int
 
 
-def deviation(
-    expected: Sequence[Mapping[str, Any]], found: Sequence[Mapping[str, Any]], tolerance: float
-) -> Optional[float]:
+def deviation(expected: Mapping[str, Any], found: Mapping[str, Any], tolerance: float) -> Optional[float]:
     """Compare the allocations of two summaries.
 
-    They are alike if to each of one belongs one of the other, of the same robot, task and outcome, that begins and ends
-    no more than the tolerance earlier or later. So they are in the same order, save for those that begin within twice
-    the tolerance of one another.
+    They are alike if each task was carried out by the same robots in the same order, with the same outcomes, and all
+    of it began and ended no more than the tolerance earlier or later. Left out are allocations shorter than half a
+    second, and what happened within the tolerance before the end of the mission: the other run may not have come to it.
 
     Args:
-        expected: allocations of one summary.
-        found: of the other.
+        expected: a summary.
+        found: the other one.
         tolerance: [s].
 
     Returns:
-        The largest difference between their times [s]; None if they are not alike.
+        The largest difference between times [s]; None if they are not alike.
     """
-    left = list(found)
+    end = min(float(summary["time"]["end"] or 0.0) for summary in (expected, found)) - tolerance
+    one, other = _by_task(expected, end), _by_task(found, end)
+    if one.keys() != other.keys() or any(len(holds) != len(other[task]) for task, holds in one.items()):
+        return None
     worst = 0.0
-    for one in expected:
-        fitting = [(_distance(one, other), index) for index, other in enumerate(left) if _same(one, other)]
-        best = min(fitting, default=(tolerance, -1))
-        if best[1] < 0 or best[0] > tolerance:
-            return None
-        worst = max(worst, best[0])
-        left.pop(best[1])
-    return None if left else worst
+    for task, holds in one.items():
+        for here, there in zip(holds, other[task]):
+            ended = min(float(here["to"]), float(there["to"])) < end
+            if here["robot"] != there["robot"] or (ended and here["outcome"] != there["outcome"]):
+                return None
+            worst = max(worst, *(abs(float(here[key]) - float(there[key])) for key in ("from", "to")))
+    return worst if worst <= tolerance else None
 
 
 def measure_likeness(
-    environment: Mapping[str, str],
+    session: LiveSession,
     folder: Path,
     plan: Sequence[str],
     *,
     factor: float,
     runs: int,
     tolerance: float,
+    at_once: int = 1,
 ) -> Likeness:
     """Run a mission in one process once and as nodes many times, and compare.
 
     Args:
-        environment: points at a master.
+        session: with a master.
         folder: for outputs; it is empty.
         plan: application and further arguments of ``mrta run``.
         factor: of the free runs.
         runs: how many of them.
         tolerance: see ``deviation`` [s].
+        at_once: how many run at the same time, each with a master of its own.
 
     Raises:
         UsageError: a run fails.
     """
-    expected, _ = _allocations(environment, folder / "embedded", plan)
-    deviations: List[float] = []
-    sustained = 0
-    for number in range(runs):
-        found, said = _allocations(environment, folder / f"live{number}", [*plan, "--ros", "--factor", f"{factor:g}"])
-        sustained += _SUSTAINED not in said
-        how_far = deviation(expected, found, tolerance)
-        if how_far is not None:
-            deviations.append(how_far)
-    return Likeness(plan[0], factor, runs, len(deviations), max(deviations, default=None), sustained)
+    expected, _ = _summary(session.environment, folder / "embedded", plan)
+    mission_time = float(expected["time"]["end"]) - float(expected["time"]["start"])
+    wall = (mission_time / factor + _START_UP) * -(-runs // at_once)
+    sys.stderr.write(f"mrta: {runs} runs of {plan[0]} at factor {factor:g} take about {math.ceil(wall / 60.0)} min\n")
+    with ExitStack() as stack:
+        sessions: SimpleQueue[LiveSession] = SimpleQueue()
+        for each in (session, *(stack.enter_context(LiveSession()) for _ in range(at_once - 1))):
+            sessions.put(each)
+
+        def run(number: int) -> Tuple[Mapping[str, Any], str]:
+            own = sessions.get()
+            try:
+                way = [*plan, "--ros", "--factor", f"{factor:g}"]
+                return _summary(own.environment, folder / f"live{number}", way)
+            finally:
+                sessions.put(own)
+
+        with ThreadPoolExecutor(at_once) as pool:
+            outcomes = list(pool.map(run, range(runs)))
+    deviations = [deviation(expected, found, tolerance) for found, _ in outcomes]
+    like = [each for each in deviations if each is not None]
+    sustained = sum(_SUSTAINED not in said for _, said in outcomes)
+    return Likeness(plan[0], factor, runs, len(like), max(like, default=None), sustained)
 
 
 def highest_sustained(
@@ -119,7 +145,7 @@ def highest_sustained(
     best, tried = 0.0, {}
     for factor in factors:
         way = [*plan, "--ros", "--factor", f"{factor:g}"]
-        _, said = _allocations(environment, folder / f"factor{factor:g}", way)
+        _, said = _summary(environment, folder / f"factor{factor:g}", way)
         tried[factor] = _SUSTAINED not in said
         if not tried[factor]:
             break
@@ -127,22 +153,20 @@ def highest_sustained(
     return best, tried
 
 
-def _same(one: Mapping[str, Any], other: Mapping[str, Any]) -> bool:
-    return all(one[key] == other[key] for key in ("robot", "task", "outcome"))
+def _by_task(summary: Mapping[str, Any], end: float) -> Dict[str, List[Mapping[str, Any]]]:
+    """Sort the allocations of a summary that count by their tasks, in the order in which they began."""
+    found: Dict[str, List[Mapping[str, Any]]] = {}
+    for each in summary["allocations"]:
+        if float(each["to"]) - float(each["from"]) >= _BRIEF and float(each["from"]) < end:
+            found.setdefault(each["task"], []).append(each)
+    return found
 
 
-def _distance(one: Mapping[str, Any], other: Mapping[str, Any]) -> float:
-    return max(abs(float(one[key]) - float(other[key])) for key in ("from", "to"))
-
-
-def _allocations(
-    environment: Mapping[str, str], out: Path, arguments: Sequence[str]
-) -> Tuple[Sequence[Mapping[str, Any]], str]:
-    """Run a mission; give its allocations, and what was said on stderr."""
+def _summary(environment: Mapping[str, str], out: Path, arguments: Sequence[str]) -> Tuple[Mapping[str, Any], str]:
+    """Run a mission; give its summary, and what was said on stderr."""
     command = [sys.executable, "-m", "rqt_mrta_py", "run", *arguments, "--pictures", "0", "-q", "--out", str(out)]
     done = subprocess.run(command, env=dict(environment), capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise UsageError(f"mrta run {' '.join(arguments)}: ended with status {done.returncode}: {done.stderr.strip()}")
-    summary = json.loads((out / "summary.json").read_text(encoding="utf-8"))
-    allocations: Sequence[Mapping[str, Any]] = summary["allocations"]
-    return allocations, done.stderr
+    summary: Mapping[str, Any] = json.loads((out / "summary.json").read_text(encoding="utf-8"))
+    return summary, done.stderr

@@ -20,20 +20,20 @@ __all__ = ["PARTS", "add_arguments", "measure"]
 _TOLERANCE = 2.0
 """How far begins and ends of allocations may differ [s]."""
 _FACTORS = (1.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0)
-_PLANS = (("border_patrol", 150.0), ("target_visiting", 150.0))
+_MISSIONS = ("border_patrol", "target_visiting")
 _QUICK = 20.0
 
 
 def _likeness(session: LiveSession, options: argparse.Namespace) -> BenchmarkTable:
     rows: List[Tuple[Any, ...]] = []
-    for application, duration in _PLANS:
-        plan = (application, "--world", "planar", "--duration", f"{_QUICK if options.quick else duration:g}")
-        best = _factor_of(session, plan)
+    runs = 2 if options.quick else options.runs
+    for application in options.missions:
+        plan = _plan(application, options)
+        best = options.factor or _factor_of(session, plan)
         for factor in dict.fromkeys((1.0, best)) if best else (1.0,):
-            folder = session.folder / f"{application}-{factor:g}"
-            runs = 2 if options.quick else options.runs
+            folder = _made(session.folder / f"{application}-{factor:g}")
             found = measure_likeness(
-                session.environment, _made(folder), plan, factor=factor, runs=runs, tolerance=_TOLERANCE
+                session, folder, plan, factor=factor, runs=runs, tolerance=_TOLERANCE, at_once=options.at_once
             )
             worst = None if found.worst is None else round(found.worst, 2)
             rows.append((application, factor, found.runs, found.like, worst, found.sustained))
@@ -42,22 +42,25 @@ def _likeness(session: LiveSession, options: argparse.Namespace) -> BenchmarkTab
         columns=("application", "factor", "runs", "alike", "largest deviation [s]", "clock kept up"),
         rows=tuple(rows),
         notes=(
-            f"Begins and ends of allocations may differ by {_TOLERANCE:g} s. The higher factor is the highest that "
-            "the clock sustained.",
+            "Alike: each task went to the same robots in the same order with the same outcomes, and began and ended "
+            f"within {_TOLERANCE:g} s; allocations shorter than 0.5 s are left out. The higher factor is the highest "
+            "that the clock sustained, unless one was given.",
         ),
     )
 
 
 def _factor(session: LiveSession, options: argparse.Namespace) -> BenchmarkTable:
-    rows: List[Tuple[Any, ...]] = []
-    for application, duration in _PLANS:
-        plan = (application, "--world", "planar", "--duration", f"{_QUICK if options.quick else duration:g}")
-        rows.append((application, _factor_of(session, plan) or None))
+    found = [(each, _factor_of(session, _plan(each, options)) or None) for each in options.missions]
     return BenchmarkTable(
         title="The highest real-time factor that the clock of free-running nodes sustains",
         columns=("application", "factor"),
-        rows=tuple(rows),
+        rows=tuple(found),
     )
+
+
+def _plan(application: str, options: argparse.Namespace) -> Sequence[str]:
+    """Give what is run: whole missions, in the world that costs less."""
+    return (application, "--world", "planar", *(("--duration", f"{_QUICK:g}") if options.quick else ()))
 
 
 def _factor_of(session: LiveSession, plan: Sequence[str]) -> float:
@@ -93,6 +96,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--seconds", metavar="S", type=float, help="how long each part listens (default: its own)")
     parser.add_argument("--runs", metavar="N", type=int, default=20, help="free runs of a mission (default: 20)")
+    parser.add_argument(
+        "--missions",
+        metavar="A,...",
+        type=_missions,
+        default=_MISSIONS,
+        help=f"what tolerance and factor run (default: {','.join(_MISSIONS)})",
+    )
+    parser.add_argument(
+        "--factor", metavar="F", type=float, help="for tolerance, besides 1 (default: the highest that is sustained)"
+    )
+    parser.add_argument(
+        "--at-once", metavar="N", type=int, choices=(1, 2, 3, 4), default=1, help="free runs at a time (default: 1)"
+    )
     parser.add_argument("--quick", action="store_true", help=f"{_QUICK:g} s for each part, two runs")
 
 
@@ -109,6 +125,10 @@ def _seconds(options: argparse.Namespace, default: float) -> float:
     if options.seconds is not None:
         return float(options.seconds)
     return _QUICK if options.quick else default
+
+
+def _missions(text: str) -> Tuple[str, ...]:
+    return tuple(part for part in text.split(",") if part)
 
 
 def _parts(text: str) -> Tuple[str, ...]:
