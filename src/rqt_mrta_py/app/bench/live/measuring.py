@@ -32,8 +32,10 @@ def _likeness(session: LiveSession, options: argparse.Namespace) -> BenchmarkTab
         best = options.factor or _factor_of(session, plan)
         for factor in dict.fromkeys((1.0, best)) if best else (1.0,):
             folder = _made(session.folder / f"{application}-{factor:g}")
+            # The highest factor leaves no processor for another mission.
+            at_once = options.at_once if factor <= 1.0 else 1
             found = measure_likeness(
-                session, folder, plan, factor=factor, runs=runs, tolerance=_TOLERANCE, at_once=options.at_once
+                session, folder, plan, factor=factor, runs=runs, tolerance=_TOLERANCE, at_once=at_once
             )
             worst = None if found.worst is None else round(found.worst, 2)
             rows.append((application, factor, found.runs, found.like, worst, found.sustained))
@@ -107,7 +109,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--factor", metavar="F", type=float, help="for tolerance, besides 1 (default: the highest that is sustained)"
     )
     parser.add_argument(
-        "--at-once", metavar="N", type=int, choices=(1, 2, 3, 4), default=1, help="free runs at a time (default: 1)"
+        "--at-once", metavar="N", type=int, choices=(1, 2, 3, 4), default=1, help="free runs at a time at factor 1 (1)"
     )
     parser.add_argument("--quick", action="store_true", help=f"{_QUICK:g} s for each part, two runs")
 
