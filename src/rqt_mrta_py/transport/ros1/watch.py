@@ -65,10 +65,10 @@ class MasterWatch:
         self._thread.start()
 
     def stop(self) -> None:
-        """Ask no more."""
+        """Ask no more; it may never have begun, where Ctrl-C came first."""
         self._ended = True
         self._due.set()
-        if threading.current_thread() is not self._thread:
+        if self._thread.is_alive() and threading.current_thread() is not self._thread:
             self._thread.join(PERIOD)
 
     def again(self, topic: str) -> None:
