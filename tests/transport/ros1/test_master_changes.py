@@ -87,11 +87,9 @@ def test_master_that_was_only_out_of_reach_is_found_again(node: PythonProcess) -
     node.until("outages == [MasterChange.LOST, MasterChange.FOUND]")
 
 
-def test_watch_of_a_node_that_was_interrupted_before_it_began_can_be_stopped(lonely: PythonProcess) -> None:
-    lonely.do("from rqt_mrta_py.transport.ros1.master import Master")
-    lonely.do("from rqt_mrta_py.transport.ros1.watch import MasterWatch")
-    lonely.do("watch = MasterWatch(Master('http://127.0.0.1:9', '/node'), '/node', print, print, print)")
-    lonely.do("watch.stop()")
+def test_watch_that_an_interrupt_kept_from_beginning_can_be_stopped(node: PythonProcess) -> None:
+    node.do("from rqt_mrta_py.transport.ros1.watch import MasterWatch")
+    node.do("MasterWatch(node._watch._master, node.name, print, print, print).stop()")
 
 
 @pytest.mark.parametrize("way", ["SIGINT", "rosnode kill"])
