@@ -87,9 +87,26 @@ def test_master_that_was_only_out_of_reach_is_found_again(node: PythonProcess) -
     node.until("outages == [MasterChange.LOST, MasterChange.FOUND]")
 
 
-def test_watch_that_an_interrupt_kept_from_beginning_can_be_stopped(node: PythonProcess) -> None:
-    node.do("from rqt_mrta_py.transport.ros1.watch import MasterWatch")
-    node.do("MasterWatch(node._watch._master, node.name, print, print, print).stop()")
+INTERRUPTED = """\
+from rqt_mrta_py.transport.ros1.watch import MasterWatch
+watches = []
+
+def interrupted(watch):
+    watches.append(watch)
+    raise KeyboardInterrupt
+
+MasterWatch.start = interrupted
+try:
+    RosNode.start('node', codec)
+except KeyboardInterrupt:
+    watches[0].stop()
+"""
+
+
+def test_node_that_is_interrupted_while_it_begins_can_end(own_master: MasterProcess, lonely: PythonProcess) -> None:
+    own_master.start()
+    lonely.do(INTERRUPTED)
+    assert lonely.ask("len(watches)") == 1
 
 
 @pytest.mark.parametrize("way", ["SIGINT", "rosnode kill"])
