@@ -6,7 +6,7 @@ import signal
 import sys
 import time
 from pathlib import Path
-from typing import Dict, Iterator, List, Set
+from typing import Callable, Dict, Iterator, List, Set
 
 import pytest
 
@@ -99,6 +99,11 @@ def kept(active: Path) -> List[Stamped]:
     return list(ChunkWalk(active)) if active.exists() else []
 
 
+def soon(condition: Callable[[], bool]) -> None:
+    """Wait until something is so of a bag, looking now and then, for each look reads it."""
+    wait_for(lambda: condition() or time.sleep(0.2), LIMIT)
+
+
 def topics(messages: List[Stamped]) -> Set[str]:
     return {each.connection.topic for each in messages}
 
@@ -117,7 +122,7 @@ def test_supervisor_that_is_killed_while_it_records_goes_on_where_it_broke_off(
         team.until(f"states('task')['report'] == {DONE}", LIMIT)
         before = team.ask("count['/mrta/team_state']")
         team.until(f"count['/mrta/team_state'] > {before} + 1", LIMIT)
-        wait_for(lambda: kept(active)[-1].receipt_ns / 1e9 > time.time() - 1.0, LIMIT)
+        soon(lambda: kept(active)[-1].receipt_ns / 1e9 > time.time() - 1.0)
         seen, killed = kept(active), time.time()
         first.send(signal.SIGKILL)
         first.end()
@@ -129,7 +134,7 @@ def test_supervisor_that_is_killed_while_it_records_goes_on_where_it_broke_off(
         assert team.ask("states('robot')['robot1']") == BUSY
         assert team.ask("states('task')['wander']") == EXECUTING
         team.until("newest['/mrta/mission']['application'] == 'border_patrol'", LIMIT)
-        wait_for(lambda: len(kept(second.with_name("all-2.bag.active"))) > 100, LIMIT)
+        soon(lambda: len(kept(second.with_name("all-2.bag.active"))) > 100)
         resumed.send(signal.SIGTERM)
         said = resumed.end()
     assert resumed.status == 0, said
@@ -154,7 +159,7 @@ def test_master_that_is_killed_and_started_again_costs_the_supervisor_no_state(
         told, heard = team.ask("count['/mrta/team_state']"), len(kept(active))
         # What is connected goes on without a master.
         team.until(f"count['/mrta/team_state'] > {told} + 1", LIMIT)
-        wait_for(lambda: len(kept(active)) > heard + 20, LIMIT)
+        soon(lambda: len(kept(active)) > heard + 20)
         own_master.start()
         team.until("masters and masters[-1] != 'LOST'", LIMIT)
         wait_for(lambda: "/supervisor/get_state" in str(own_master.ask("getSystemState")), LIMIT)
