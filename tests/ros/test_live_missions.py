@@ -11,7 +11,7 @@ from typing import Dict, Tuple
 import pytest
 
 from rqt_mrta_py.app.cli.main import main
-from rqt_mrta_py.transport import ChunkWalk
+from tests.growing_bags import written_so_far
 from tests.ros.live_team import LiveRun, patrol_in, robot_agent
 from tests.ros_master import MasterProcess
 from tests.ros_process import PythonProcess, wait_for
@@ -159,7 +159,7 @@ def test_ctrl_c_leaves_whole_files(master: MasterProcess, tmp_path: Path) -> Non
     plan = ("border_patrol", "--robots", "2", "--duration", "100", "--world", "planar")
     with LiveRun(tmp_path / "live", master.environment, *plan) as live:
         active = live.out / "mission.bag.active"
-        wait_for(lambda: active.exists() and next(iter(ChunkWalk(active)), None), 60.0)
+        wait_for(lambda: written_so_far(active), 60.0)
         live.send(signal.SIGINT)
         said = live.end()
     assert live.status == 130, said

@@ -11,7 +11,8 @@ from typing import Callable, Dict, Iterator, List, Set
 import pytest
 
 from rqt_mrta_py.hooks import Stamped
-from rqt_mrta_py.transport import ChunkWalk, read_bag
+from rqt_mrta_py.transport import read_bag
+from tests.growing_bags import written_so_far
 from tests.ros.live_team import Process
 from tests.ros_master import MasterProcess, ros_environment
 from tests.ros_process import PythonProcess, require_live_ros, wait_for
@@ -96,7 +97,7 @@ def supervisor(environment: Dict[str, str], *arguments: str) -> Process:
 
 
 def kept(active: Path) -> List[Stamped]:
-    return list(ChunkWalk(active)) if active.exists() else []
+    return written_so_far(active)
 
 
 def soon(condition: Callable[[], bool]) -> None:

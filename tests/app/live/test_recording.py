@@ -10,7 +10,8 @@ import pytest
 from rqt_mrta_py.app.live.recording import Recording, free_bag
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Connection, Stamped
-from rqt_mrta_py.transport import ChunkWalk, read_bag
+from rqt_mrta_py.transport import read_bag
+from tests.growing_bags import written_so_far
 from tests.ros_process import wait_for
 
 NEWS = Connection("/news", "std_msgs/String", "992ce8a1687cec8c8bd883ec73ca41d1", "string data\n", "/somebody")
@@ -33,7 +34,7 @@ def test_messages_stand_in_the_file_before_the_bag_is_complete(tmp_path: Path) -
     recording = Recording(tmp_path / "a.bag")
     recording.take((message(1), message(2)))
     active = tmp_path / "a.bag.active"
-    wait_for(lambda: list(ChunkWalk(active)) == [message(1), message(2)])
+    wait_for(lambda: written_so_far(active) == [message(1), message(2)])
     recording.close()
 
 
