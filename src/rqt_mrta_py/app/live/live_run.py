@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 import threading
 import time
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
@@ -87,6 +87,10 @@ def run_live_mission(
     robots = [robot.id for robot in prepared.mission.application.robots]
     with ExitStack() as stack:
         master = stack.enter_context(some_master())
+        owners = ["/simulation", *map(agent_node, robots)]
+        # ROS keeps a node's parameters when it ends, and the next one of its name has those that it is not given.
+        _forget_parameters(master, owners)
+        stack.callback(_forget_parameters, master, owners)
         _set_parameters(master, host, request, prepared)
         nodes: Dict[str, Tuple[Any, Sequence[str]]] = {
             "simulation": (partial(simulation.main, host=host, level=logging.WARNING), _simulation(request, way))
@@ -116,6 +120,13 @@ def _set_parameters(master: Master, host: Host, request: RunRequest, prepared: P
         done, text, _ = master.ask("setParam", name, value) if name else (True, "", None)
         if not done:
             raise TransportError(f"parameter {name}: cannot be set: {text}")
+
+
+def _forget_parameters(master: Master, nodes: Sequence[str]) -> None:
+    """Take private parameters of nodes off the parameter server, if it is there."""
+    with suppress(TransportError):
+        for name in nodes:
+            master.ask("deleteParam", name)
 
 
 def _simulation(request: RunRequest, way: LiveWay) -> Sequence[str]:
