@@ -13,7 +13,7 @@ from typing import Dict, Iterator, List
 import pytest
 
 from rqt_mrta_py.app.compose import compose
-from rqt_mrta_py.app.review_bag import ReviewRequest, review_bag
+from rqt_mrta_py.app.review.review import ReviewRequest, review_bag
 from rqt_mrta_py.transport import read_bag
 from tests.growing_bags import written_so_far
 from tests.ros.live_team import Process

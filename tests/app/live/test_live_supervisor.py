@@ -12,7 +12,7 @@ from rqt_mrta_py.app.compose import Host, compose
 from rqt_mrta_py.app.live.live_supervisor import LiveSupervisor
 from rqt_mrta_py.app.live.options import LiveOptions
 from rqt_mrta_py.app.mission_message import mission_from_fields, mission_message
-from rqt_mrta_py.app.review_bag import ReviewRequest, review_bag
+from rqt_mrta_py.app.review.review import ReviewRequest, review_bag
 from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.hooks import Codec, Outgoing, Stamped
 from rqt_mrta_py.model import Mission, Progress

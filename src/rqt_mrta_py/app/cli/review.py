@@ -24,7 +24,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(options: argparse.Namespace) -> int:
     """Review the bag."""
     from rqt_mrta_py.app.compose import compose
-    from rqt_mrta_py.app.review_bag import ReviewRequest, review_bag
+    from rqt_mrta_py.app.review.review import ReviewRequest, review_bag
 
     host = compose()
     complain_about(host.problems)

@@ -1,0 +1,4 @@
+"""Review a recorded mission: from bags to the outputs of a run.
+
+* ``review``: the whole of it
+"""
