@@ -213,7 +213,7 @@ def interpreter_for(mission: Mission, manager: PluginManager) -> Optional[Alloca
     if package not in factories:
         return None
     robots = tuple(robot.id for robot in mission.application.robots)
-    setup = InterpreterSetup(robots, tuple(task.id for task in (*mission.tasks, *mission.later_tasks)))
+    setup = InterpreterSetup(robots, mission.task_ids)
     interpreter: AllocationInterpreter = made(
         f"allocation interpreter of {package}", factories[package], setup, "subscriptions", "hear"
     )

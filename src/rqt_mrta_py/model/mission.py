@@ -54,6 +54,16 @@ class Mission:
     texts: Optional[MissionTexts] = None
     later_tasks: Tuple[Task, ...] = ()
 
+    @property
+    def every_task(self) -> Tuple[Task, ...]:
+        """The tasks known at the start, then the later ones."""
+        return (*self.tasks, *self.later_tasks)
+
+    @property
+    def task_ids(self) -> Tuple[str, ...]:
+        """The ids of every task, in that order."""
+        return tuple(task.id for task in self.every_task)
+
     def tasks_of(self, robot_id: str) -> Tuple[Task, ...]:
         """List the tasks that a robot may carry out from the start.
 

@@ -48,7 +48,7 @@ class SceneTracker:
         robots = [robot.id for robot in mission.application.robots]
         self._arena = scenario.arena if scenario else None
         self._obstacles = scenario.obstacles if scenario else ()
-        self._known_tasks = {task.id: task for task in (*mission.tasks, *mission.later_tasks)}
+        self._known_tasks = {task.id: task for task in mission.every_task}
         self._tasks: Dict[str, Task] = {task.id: task for task in mission.tasks}
         self._models = models
         self._model_of = {robot.id: robot.model for robot in scenario.robots} if scenario else {}

@@ -8,7 +8,7 @@
 * ``standing``: how a team stands, as another supervisor tells whoever comes late
 * ``agenda``: what falls due when; ``copies``: a team that looks ahead without moving on
 * ``desk``, ``rules``: incidents; ``failures``: plugins that raise on the way
-* ``journal``, ``news``, ``summary``: the same for readers, for other nodes, for programs
+* ``journal``, ``news``, ``summary``: the same for readers, for other nodes, for programs; ``own_topics``: where
 * ``statistics``: numbers of a finished mission
 * ``traffic``: how much flows between nodes and topics
 * ``plugin``: registers rules and statistics

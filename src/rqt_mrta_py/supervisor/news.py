@@ -15,6 +15,7 @@ from rqt_mrta_py.model import (
     Severity,
     TaskState,
 )
+from rqt_mrta_py.supervisor.own_topics import ALLOCATION, EVENT, INCIDENT, ROBOT_STATE, TASK_STATE, TEAM_STATE
 
 __all__ = ["ROBOT_CODES", "TASK_CODES", "event_news", "fact_news", "incident_news", "team_news"]
 
@@ -53,10 +54,10 @@ def fact_news(fact: Fact, last_heard: Optional[float], holders: Sequence[str]) -
     """
     if isinstance(fact, RobotStateChanged):
         fields = _robot_fields(fact.robot, fact.after, fact.time, last_heard)
-        return (Outgoing("/mrta/robot_state", "rqt_mrta_py/RobotState", fields),)
+        return (ROBOT_STATE.message(fields),)
     if isinstance(fact, TaskStateChanged):
         fields = _task_fields(fact.task, fact.after, fact.time, holders)
-        return (Outgoing("/mrta/task_state", "rqt_mrta_py/TaskState", fields),)
+        return (TASK_STATE.message(fields),)
     if isinstance(fact, AllocationStarted):
         fields = _allocation_fields(Allocation(fact.task, fact.robot, fact.time, 0.0, Outcome.OPEN), fact.time)
     elif isinstance(fact, AllocationEnded):
@@ -64,7 +65,7 @@ def fact_news(fact: Fact, last_heard: Optional[float], holders: Sequence[str]) -
         fields = _allocation_fields(ended, fact.time)
     else:
         return ()
-    return (Outgoing("/mrta/allocation", "rqt_mrta_py/Allocation", fields),)
+    return (ALLOCATION.message(fields),)
 
 
 def event_news(event: Event, started: float) -> Tuple[Outgoing, ...]:
@@ -89,7 +90,7 @@ def event_news(event: Event, started: float) -> Tuple[Outgoing, ...]:
         "name": _NODE,
         "msg": _history_line(event, started),
     }
-    return (Outgoing("/mrta/event", "rqt_mrta_py/Event", fields), Outgoing("/rosout", "rosgraph_msgs/Log", log))
+    return (EVENT.message(fields), Outgoing("/rosout", "rosgraph_msgs/Log", log))
 
 
 def incident_news(incident: Incident, noticed: float, ended: bool) -> Tuple[Outgoing, ...]:
@@ -113,7 +114,7 @@ def incident_news(incident: Incident, noticed: float, ended: bool) -> Tuple[Outg
         "evidence_stamps": [each.stamp for each in incident.evidence],
         "evidence_indices": [each.index for each in incident.evidence],
     }
-    return (Outgoing("/mrta/incident", "rqt_mrta_py/Incident", fields),)
+    return (INCIDENT.message(fields),)
 
 
 def team_news(record: MissionRecord, now: float) -> Outgoing:
@@ -143,7 +144,7 @@ def team_news(record: MissionRecord, now: float) -> Outgoing:
         "tasks": tasks,
         "allocations": [_allocation_fields(each, each.start) for each in open_ones],
     }
-    return Outgoing("/mrta/team_state", "rqt_mrta_py/TeamState", fields, latched=True)
+    return TEAM_STATE.message(fields)
 
 
 def _robot_fields(robot: str, state: RobotState, since: float, last_heard: Optional[float]) -> Mapping[str, Any]:

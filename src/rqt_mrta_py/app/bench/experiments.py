@@ -105,7 +105,7 @@ def _with_tasks(
 
     Those left out stay among the ones that could appear, for parameters may speak of them; but they never do.
     """
-    by_id: Dict[str, Task] = {task.id: task for task in (*mission.tasks, *mission.later_tasks)}
+    by_id: Dict[str, Task] = {task.id: task for task in mission.every_task}
     kept = frozenset(order if wanted is None else wanted)
     for task in sorted(kept.difference(by_id)):
         raise UsageError(f"task {task!r}: the application has no such task; {accepted(task, order)}")

@@ -39,6 +39,7 @@ from rqt_mrta_py.hooks import MonitorView, Outgoing, Stamped
 from rqt_mrta_py.model import Mission, MissionRecord
 from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
 from rqt_mrta_py.supervisor import team_news
+from rqt_mrta_py.supervisor.own_topics import INCIDENT
 from rqt_mrta_py.transport.ros1 import RosNode
 
 __all__ = ["LiveSupervisor"]
@@ -280,7 +281,7 @@ class LiveSupervisor:
         stamped = self._voice.say(outgoing, self._clock.receipt())
         if stamped is None:
             return
-        if outgoing.topic == "/mrta/incident":
+        if outgoing.topic == INCIDENT.name:
             self._open_incidents.note(outgoing.fields)
         self._intake.take(stamped)
 

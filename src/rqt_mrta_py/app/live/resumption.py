@@ -19,24 +19,19 @@ from rqt_mrta_py.errors import MrtaError
 from rqt_mrta_py.hooks import Codec, Stamped, task_order
 from rqt_mrta_py.model import Mission, Progress, TaskState
 from rqt_mrta_py.supervisor import standing_of
+from rqt_mrta_py.supervisor.own_topics import TASK_STATE, TEAM_STATE
 from rqt_mrta_py.supervisor.standing import TASK_STATES
+from rqt_mrta_py.supervisor.tasks import FINAL
 from rqt_mrta_py.transport import ChunkWalk
 
 __all__ = ["ended_tasks", "left_behind", "resume"]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
-_TEAM_STATE = ("/mrta/team_state", "rqt_mrta_py/TeamState")
-_TASK_STATE = ("/mrta/task_state", "rqt_mrta_py/TaskState")
 _RECENT = 60.0
 """After a longer break a mission counts as another one [s]."""
 _LOOK = 0.1
 """How often it is looked whether the clock runs [s]."""
-_ENDS = {
-    TaskState.DONE: Progress.DONE,
-    TaskState.FAILED: Progress.FAILED,
-    TaskState.WITHDRAWN: Progress.WITHDRAWN,
-}
 
 
 def resume(supervisor: LiveSupervisor) -> None:
@@ -87,19 +82,19 @@ def ended_tasks(active: Path, codec: Codec, mission: Mission) -> Tuple[float, Li
         connection = stamped.connection
         if connection.topic == MISSION_TOPIC:
             said = stamped
-        elif (connection.topic, connection.type) == _TEAM_STATE:
+        elif connection.topic == TEAM_STATE.name and connection.type == TEAM_STATE.type:
             states = dict(standing_of(codec.decode(connection, stamped.raw)).tasks)
-        elif (connection.topic, connection.type) == _TASK_STATE:
+        elif connection.topic == TASK_STATE.name and connection.type == TASK_STATE.type:
             fields = codec.decode(connection, stamped.raw)
             states[fields["task_id"]] = TASK_STATES.get(fields["state"], TaskState.WAITING)
     if last is None or said is None or _identity(told_mission(said, codec, str(active))[0]) != _identity(mission):
         return 0.0, []
-    return last.receipt_ns / 1e9, [(task, state) for task, state in states.items() if state in _ENDS]
+    return last.receipt_ns / 1e9, [(task, state) for task, state in states.items() if state in FINAL]
 
 
 def _identity(mission: Mission) -> Tuple[object, ...]:
     application = mission.application
-    tasks = tuple(task.id for task in (*mission.tasks, *mission.later_tasks))
+    tasks = mission.task_ids
     return application.package, mission.architecture.package, tuple(robot.id for robot in application.robots), tasks
 
 
@@ -116,8 +111,8 @@ def _resume(supervisor: LiveSupervisor, active: Path) -> None:
         if not ended or node.is_shut_down or not broke_off <= supervisor.now <= broke_off + _RECENT:
             return
         known = {task.id: task.state for task in supervisor.record().tasks}
-        again = [(task, end) for task, end in ended if known.get(task) not in _ENDS]
+        again = [(task, end) for task, end in ended if known.get(task) not in FINAL]
         for task, end in again:
             detail = "as was known before the supervisor was started anew"
-            supervisor.say(task_order(_ENDS[end], task, supervisor.now, detail=detail))
+            supervisor.say(task_order(Progress(end.value), task, supervisor.now, detail=detail))
         _log.info("resumed=%s ended_tasks=%d", active, len(again))

@@ -21,6 +21,7 @@ from rqt_mrta_py.app.run.watch import BAG, Watch, WatchPlan
 from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.hooks import MonitorView, Outgoing, Stamped
 from rqt_mrta_py.model import Mission, MissionRecord
+from rqt_mrta_py.supervisor.own_topics import INCIDENT
 from rqt_mrta_py.transport import Batch
 from rqt_mrta_py.transport.ros1 import RosNode
 
@@ -29,7 +30,6 @@ __all__ = ["SupervisedRun"]
 _NS = 1_000_000_000
 _HEALTH_PERIOD = 1.0
 """How often health is told, on the wall [s]."""
-_INCIDENTS = "/mrta/incident"
 
 
 class SupervisedRun:
@@ -132,7 +132,7 @@ class SupervisedRun:
         for connection, receipt_ns, raw in messages:
             self._newest_ns = receipt_ns
             self._topics.add(connection.topic)
-            if connection.topic == _INCIDENTS:
+            if connection.topic == INCIDENT.name:
                 self._incidents.note(self._node.codec.decode(connection, raw))
 
     def end_tick(self, tick: int) -> None:

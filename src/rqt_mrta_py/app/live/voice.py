@@ -11,6 +11,7 @@ from rqt_mrta_py.app.outputs.pictures import PICTURE_TOPIC
 from rqt_mrta_py.errors import MrtaError
 from rqt_mrta_py.hooks import Connection, Outgoing, Stamped
 from rqt_mrta_py.render import MARKERS_TOPIC
+from rqt_mrta_py.supervisor.own_topics import ALLOCATION, EVENT, INCIDENT, ROBOT_STATE, TASK_STATE, TEAM_STATE
 from rqt_mrta_py.transport.ros1 import RosNode
 
 __all__ = ["Voice"]
@@ -18,15 +19,15 @@ __all__ = ["Voice"]
 _log = logging.getLogger("rqt_mrta_py.app")
 
 _PUBLISHED: Mapping[str, Tuple[str, bool]] = {
-    "/mrta/allocation": ("rqt_mrta_py/Allocation", False),
-    "/mrta/event": ("rqt_mrta_py/Event", False),
-    "/mrta/incident": ("rqt_mrta_py/Incident", True),
+    ALLOCATION.name: (ALLOCATION.type, False),
+    EVENT.name: (EVENT.type, False),
+    INCIDENT.name: (INCIDENT.type, True),
     MARKERS_TOPIC: ("visualization_msgs/MarkerArray", False),
     PICTURE_TOPIC: ("sensor_msgs/CompressedImage", False),
-    "/mrta/robot_state": ("rqt_mrta_py/RobotState", True),
+    ROBOT_STATE.name: (ROBOT_STATE.type, True),
     "/mrta/task_progress": ("rqt_mrta_py/TaskProgress", False),
-    "/mrta/task_state": ("rqt_mrta_py/TaskState", True),
-    "/mrta/team_state": ("rqt_mrta_py/TeamState", True),
+    TASK_STATE.name: (TASK_STATE.type, True),
+    TEAM_STATE.name: (TEAM_STATE.type, True),
     DIAGNOSTICS_TOPIC: ("diagnostic_msgs/DiagnosticArray", False),
 }
 """What a supervisor says besides /rosout: type by topic, and whether late subscribers get the last message."""

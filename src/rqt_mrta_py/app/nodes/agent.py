@@ -98,7 +98,7 @@ def _work(node: RosNode, host: Host, ending: Ending) -> None:
 
     loop = AgentLoop(node, make_side, witnesses, lambda: ending.wait(0.0))
     loop.listen(mission, own_time=own_time)
-    tasks = len(mission.tasks) + len(mission.later_tasks)
+    tasks = len(mission.every_task)
     _log.info("robot=%s architecture=%s tasks=%d", robot, mission.architecture.package, tasks)
     with rare_collections():
         if own_time:

@@ -64,7 +64,7 @@ class HostMaker:
         self._maps = {robot.id: robot.map for robot in scenario.robots}
         self._own_capabilities = {robot.id: robot.capabilities for robot in scenario.robots}
         self._team = tuple(robot.id for robot in mission.application.robots)
-        self._tasks = frozenset(task.id for task in (*mission.tasks, *mission.later_tasks))
+        self._tasks = frozenset(mission.task_ids)
         self._behaviours: Mapping[str, BehaviourFactory] = manager.registered("mrta_register_behaviours")
         self._evaluators: Mapping[str, SensoryEvaluatorFactory] = guarded_evaluators(
             manager.registered("mrta_register_sensory_evaluators")

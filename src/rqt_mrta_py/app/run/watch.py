@@ -20,6 +20,7 @@ from rqt_mrta_py.app.run.clock import RunClock
 from rqt_mrta_py.hooks import Exporter, FigureMaker, Outgoing, Renderer
 from rqt_mrta_py.hooks.patience import Patience
 from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
+from rqt_mrta_py.supervisor.own_topics import OWN_TOPICS
 from rqt_mrta_py.transport import BagWriter, Batch, Bus
 
 __all__ = ["BAG", "STATE_PERIOD", "SUPERVISOR_TOPICS", "Watch", "WatchPlan", "Watcher", "open_watch"]
@@ -27,17 +28,7 @@ __all__ = ["BAG", "STATE_PERIOD", "SUPERVISOR_TOPICS", "Watch", "WatchPlan", "Wa
 BAG = "mission.bag"
 """The name of the recording in the folder of outputs."""
 
-SUPERVISOR_TOPICS = (
-    "/mrta/allocation",
-    "/mrta/event",
-    "/mrta/incident",
-    MARKERS_TOPIC,
-    PICTURE_TOPIC,
-    "/mrta/robot_state",
-    "/mrta/task_state",
-    "/mrta/team_state",
-    "/rosout",
-)
+SUPERVISOR_TOPICS = (*(each.name for each in OWN_TOPICS), MARKERS_TOPIC, PICTURE_TOPIC, "/rosout")
 """What the watching side says on a run's bus."""
 
 STATE_PERIOD = 1

@@ -76,7 +76,7 @@ class WorldSide:
         self.bus = Bus(codec, self.simulation.radio)
         self._world_node = self.bus.node("/simulation")
         self._operator_node = self.bus.node("/operator")
-        self._tasks = {task.id: task for task in (*mission.tasks, *mission.later_tasks)}
+        self._tasks = {task.id: task for task in mission.every_task}
         self._driver_of: Mapping[str, Node] = {}
 
     def speak_through(self, drivers: Mapping[str, Node]) -> None:

@@ -17,6 +17,7 @@ from rqt_mrta_py.app.watch.view import Display, WatchRequest, WatchView
 from rqt_mrta_py.errors import TransportError, UsageError
 from rqt_mrta_py.hooks import Stamped
 from rqt_mrta_py.model import CommunicationGraph, Mission
+from rqt_mrta_py.supervisor.own_topics import TEAM_STATE
 from rqt_mrta_py.transport.ros1 import Graph, RosNode
 
 __all__ = ["watch_master"]
@@ -26,7 +27,6 @@ _log = logging.getLogger("rqt_mrta_py.app")
 _LOOK = 0.05
 """How often what has changed is told, and what falls due happens [s]."""
 
-_STATE = ("/mrta/team_state", "rqt_mrta_py/TeamState")
 """What a supervisor tells of the team, latched."""
 
 _CLOCK = 1.0
@@ -95,7 +95,10 @@ class _MasterWatch:
             self._begin(mission)
         else:
             node.hear(lambda topic, _type: topic == MISSION_TOPIC, self._hear_mission)
-        node.hear(lambda topic, type_name: topic == _STATE[0] and type_name in (_STATE[1], ""), self._hear_standing)
+        node.hear(
+            lambda topic, type_name: topic == TEAM_STATE.name and type_name in (TEAM_STATE.type, ""),
+            self._hear_standing,
+        )
         node.on_time_jump(self._time_went_back)
         while not interrupt.requested and not node.wait(_LOOK):
             now = time.monotonic()
@@ -177,7 +180,7 @@ class _MasterWatch:
 
     def _hear_standing(self, stamped: Stamped) -> None:
         """Keep how the team stands, as a supervisor tells it, until it is known which team is watched."""
-        if stamped.connection.type == _STATE[1] and not self._assumed:
+        if stamped.connection.type == TEAM_STATE.type and not self._assumed:
             self._told_at = self._told_at if self._standing is not None else time.monotonic()
             self._standing = stamped
 
@@ -191,7 +194,7 @@ class _MasterWatch:
         try:
             watch.assume(standing._replace(receipt_ns=round(self._node.now() * 1e9)), self._display)
         except TransportError as error:
-            _log.warning("caller=%s %s: %s", standing.connection.caller, _STATE[0], error)
+            _log.warning("caller=%s %s: %s", standing.connection.caller, TEAM_STATE.name, error)
 
     def _hear_mission(self, stamped: Stamped) -> None:
         """Take note of what is watched; another mission begins when somebody tells of one that is not the same."""
