@@ -126,12 +126,12 @@ def measure_likeness(
 
 
 def highest_sustained(
-    environment: Mapping[str, str], folder: Path, plan: Sequence[str], factors: Sequence[float]
+    session: LiveSession, folder: Path, plan: Sequence[str], factors: Sequence[float]
 ) -> Tuple[float, Dict[float, bool]]:
     """Find the highest factor at which the clock keeps up.
 
     Args:
-        environment: points at a master.
+        session: with a master.
         folder: for outputs; it is empty.
         plan: application and further arguments of ``mrta run``.
         factors: to try, growing; the first that is too fast ends the search.
@@ -145,7 +145,7 @@ def highest_sustained(
     best, tried = 0.0, {}
     for factor in factors:
         way = [*plan, "--ros", "--factor", f"{factor:g}"]
-        _, said = _summary(environment, folder / f"factor{factor:g}", way)
+        _, said = _summary(session.environment, folder / f"factor{factor:g}", way)
         tried[factor] = _SUSTAINED not in said
         if not tried[factor]:
             break

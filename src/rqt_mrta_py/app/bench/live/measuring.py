@@ -70,7 +70,7 @@ def _factor_of(session: LiveSession, plan: Sequence[str]) -> float:
     key = " ".join(plan)
     if key not in found:
         folder = _made(session.folder / f"{plan[0]}-factors")
-        found[key] = highest_sustained(session.environment, folder, plan, _FACTORS)[0]
+        found[key] = highest_sustained(session, folder, plan, _FACTORS)[0]
     return found[key]
 
 

@@ -116,7 +116,9 @@ class LiveSession:
             "PYTHONPATH": os.pathsep.join(path for path in sys.path if path),
         }
         try:
-            self.join("master", [sys.executable, "-c", _MASTER.format(port=port)]).line()
+            # It tells at length of every node that has gone before it could be told of another's going.
+            log = self.folder / "master.log"
+            self.join("master", [sys.executable, "-c", _MASTER.format(port=port)], log=log).line()
         except MrtaError as error:
             self._stack.close()
             raise MissingDependencyError(
@@ -131,17 +133,25 @@ class LiveSession:
     ) -> None:
         self._stack.close()
 
-    def join(self, name: str, command: Sequence[str], interrupts: bool = False) -> Member:
+    def join(self, name: str, command: Sequence[str], interrupts: bool = False, log: Optional[Path] = None) -> Member:
         """Start a process.
 
         Args:
             name: for messages of errors.
             command: with its arguments.
             interrupts: whether it ends with SIGINT, and not with its stdin.
+            log: takes its stderr; None to let it through.
         """
-        process = subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=self.environment, cwd=self.folder
-        )
+        with ExitStack() as opened:
+            process = subprocess.Popen(
+                command,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=None if log is None else opened.enter_context(log.open("wb")),
+                text=True,
+                env=self.environment,
+                cwd=self.folder,
+            )
         member = Member(name, process, interrupts)
         self._stack.callback(member.end)
         return member
