@@ -75,6 +75,16 @@ def test_a_subscriber_hears_what_the_message_was(bus: Bus) -> None:
     assert (second.fields["header"]["seq"], second.ordinal) == (2, 1)
 
 
+def test_a_subscriber_hears_optional_fields_of_those_types_that_have_them(bus: Bus) -> None:
+    heard: List[Heard] = []
+    bus.node("/hearer").subscribe(Subscription("/@robot_id@", "", (), ("header/stamp",)), heard.append)
+    speaker = bus.node("/speaker")
+    speaker.publish(Outgoing("/a", "geometry_msgs/PointStamped", {"header": {"stamp": 2.5}}), 1.0)
+    speaker.publish(Outgoing("/b", "std_msgs/String", {"data": "no header"}), 1.0)
+    bus.deliver(1.0)
+    assert [each.fields for each in heard] == [{"header/stamp": 2.5}, {}]
+
+
 def test_a_given_seq_stays(bus: Bus) -> None:
     heard: List[Heard] = []
     node = bus.node("/a")

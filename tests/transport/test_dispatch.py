@@ -118,6 +118,26 @@ def test_dispatcher_reports_for_each_connection_and_subscription(listening: List
     ]
 
 
+def test_optional_fields_are_heard_of_those_types_that_have_them(listening: Listening, codec: RosCodec) -> None:
+    wish = Subscription("/@robot_id@/said", "", (), ("header/stamp", "data"))
+    listening.dispatcher.subscribe(wish, listening.heard.append)
+    listening.say(codec.connection("/a/said", "geometry_msgs/PointStamped"), 1, header={"stamp": 2.5})
+    listening.say(codec.connection("/b/said", "std_msgs/String"), 2, data="good")
+    listening.say(codec.connection("/c/said", "std_msgs/Empty"), 3)
+    assert [heard.fields for heard in listening.heard] == [{"header/stamp": 2.5}, {"data": "good"}, {}]
+    assert not listening.reports
+
+
+def test_who_wants_the_same_of_a_message_hears_the_same_whether_it_is_optional(codec: RosCodec) -> None:
+    heard: List[Heard] = []
+    dispatcher = Dispatcher(codec, lambda heard, text: None)
+    for wish in (("data",), ()), ((), ("data", "no_such_field")):
+        dispatcher.subscribe(Subscription("/s", "", *wish), heard.append)
+    dispatcher.feed(Stamped(codec.connection("/s", "std_msgs/Int8"), 1, b"\x07"))
+    first, second = heard
+    assert first is second
+
+
 def test_dispatcher_hears_good_messages_after_a_bad_one(listening: Listening, codec: RosCodec) -> None:
     listening.subscribe("/s", "std_msgs/String", "data")
     made = codec.connection("/s", "std_msgs/String")

@@ -51,6 +51,8 @@ from rqt_mrta_py.hooks.figure import (
 from rqt_mrta_py.hooks.incident import (
     AllocationEnded,
     AllocationStarted,
+    ClockOff,
+    ClockRight,
     Fact,
     IncidentBoard,
     IncidentRule,
@@ -60,6 +62,8 @@ from rqt_mrta_py.hooks.incident import (
     RobotStateChanged,
     RuleSetup,
     TaskStateChanged,
+    TopicHeard,
+    TopicSilent,
 )
 from rqt_mrta_py.hooks.laboratory import Experiment, IdleTeam, Laboratory, TeamCost, Trial
 from rqt_mrta_py.hooks.link import Link, LinkFactory, LinkSetup
@@ -145,6 +149,8 @@ __all__ = [
     "BodySight",
     "BodyState",
     "Chart",
+    "ClockOff",
+    "ClockRight",
     "Codec",
     "Column",
     "Command",
@@ -237,6 +243,8 @@ __all__ = [
     "TeamSensor",
     "TeamSensorFactory",
     "TeamTraces",
+    "TopicHeard",
+    "TopicSilent",
     "Trial",
     "UsageError",
     "Verb",

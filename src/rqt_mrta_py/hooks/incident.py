@@ -11,6 +11,8 @@ from rqt_mrta_py.model import Evidence, Mission, Outcome, RobotState, Severity, 
 __all__ = [
     "AllocationEnded",
     "AllocationStarted",
+    "ClockOff",
+    "ClockRight",
     "Fact",
     "IncidentBoard",
     "IncidentRule",
@@ -20,6 +22,8 @@ __all__ = [
     "RobotStateChanged",
     "RuleSetup",
     "TaskStateChanged",
+    "TopicHeard",
+    "TopicSilent",
 ]
 
 
@@ -91,7 +95,79 @@ class AllocationEnded(NamedTuple):
     last: Evidence
 
 
-Fact = Union[RobotStateChanged, RobotSilent, RobotHeard, TaskStateChanged, AllocationStarted, AllocationEnded]
+class ClockOff(NamedTuple):
+    """Everything that a robot says on a monitored topic is stamped far from when it was received.
+
+    Told when it has lasted, again as it grows, and with the latest figure at the end of the stream.
+
+    Attributes:
+        time: when it was noticed [s].
+        robot: its id.
+        topic: as the architecture declares it.
+        lead: header stamp minus receipt of its messages just now, by the middle one of three [s]; above 0 its clock is
+            ahead of the receiver's; below 0 it is behind, or its messages take so long.
+        tolerance: what is accepted of this topic, either way [s].
+        first: the first of these messages.
+        message: the newest of them.
+    """
+
+    time: float
+    robot: str
+    topic: str
+    lead: float
+    tolerance: float
+    first: Evidence
+    message: Evidence
+
+
+class ClockRight(NamedTuple):
+    """What a robot says on a monitored topic is stamped again as it is received; the message was the first such one."""
+
+    time: float
+    robot: str
+    topic: str
+    message: Evidence
+
+
+class TopicSilent(NamedTuple):
+    """A robot that has spoken regularly on a monitored topic says nothing there for longer than a message counts.
+
+    Attributes:
+        time: when that fell due [s].
+        robot: its id.
+        topic: as the architecture declares it.
+        last: the newest message there, or the newest that said that the robot is busy, whichever came later.
+        period: how long it used to be from message to message [s].
+    """
+
+    time: float
+    robot: str
+    topic: str
+    last: Evidence
+    period: float
+
+
+class TopicHeard(NamedTuple):
+    """A robot speaks again on a topic where it was silent, or says that it is busy."""
+
+    time: float
+    robot: str
+    topic: str
+    message: Evidence
+
+
+Fact = Union[
+    RobotStateChanged,
+    RobotSilent,
+    RobotHeard,
+    TaskStateChanged,
+    AllocationStarted,
+    AllocationEnded,
+    ClockOff,
+    ClockRight,
+    TopicSilent,
+    TopicHeard,
+]
 
 
 class IncidentBoard(Protocol):

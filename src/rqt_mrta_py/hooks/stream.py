@@ -80,11 +80,14 @@ class Subscription(NamedTuple):
             may hold ``@robot_id@`` and ``@task_id@``, each standing for one name (no slash); or ``EVERYTHING``.
         type: ``pkg/Msg``; a message of another type is reported once and not heard. Empty: any type.
         fields: paths joined by ``/``, such as ``header/frame_id``; empty: nothing of the content, only that it came.
+        optional: further paths; a message whose type has not all of ``fields`` is reported and not heard, what is
+            missing of these is left out.
     """
 
     topic: str
     type: str = ""
     fields: Tuple[str, ...] = ()
+    optional: Tuple[str, ...] = ()
 
 
 class Heard(NamedTuple):

@@ -207,11 +207,11 @@ class Dispatcher:
             if tokens is None:
                 continue
             try:
-                reader = reader_for(self._codec, connection, wish.subscription)
+                paths, reader = reader_for(self._codec, connection, wish.subscription)
             except TransportError as error:
                 route.complaints.append(Complaint(wish, tokens[0], tokens[1], f"{connection.topic}: {error}"))
             else:
-                met.append(MetWish(wish.callback, tokens[0], tokens[1], wish.subscription.fields, reader, wish))
+                met.append(MetWish(wish.callback, tokens[0], tokens[1], paths, reader, wish))
         route.met = tuple(met)
         route.reads = any(wish.reader is not None for wish in met)
         route.sightings = tuple([sighting((connection,)) for sighting in self._watchers])

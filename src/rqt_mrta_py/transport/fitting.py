@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Optional
+from typing import Optional, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Codec, Connection, FieldReader, Subscription
@@ -10,7 +10,9 @@ from rqt_mrta_py.hooks import Codec, Connection, FieldReader, Subscription
 __all__ = ["reader_for"]
 
 
-def reader_for(codec: Codec, connection: Connection, subscription: Subscription) -> Optional[FieldReader]:
+def reader_for(
+    codec: Codec, connection: Connection, subscription: Subscription
+) -> Tuple[Tuple[str, ...], Optional[FieldReader]]:
     """Prepare reading what a subscription asks for.
 
     Args:
@@ -19,7 +21,7 @@ def reader_for(codec: Codec, connection: Connection, subscription: Subscription)
         subscription: names type and fields.
 
     Returns:
-        The reader of its fields; None if it asks for nothing of the content.
+        The paths to be read, with those optional ones that the connection has; their reader, None if there are none.
 
     Raises:
         TransportError: the connection carries another type, or its definition lacks a field.
@@ -27,4 +29,14 @@ def reader_for(codec: Codec, connection: Connection, subscription: Subscription)
     wanted = subscription.type
     if wanted and wanted != connection.type:
         raise TransportError(f"carries {connection.type}, subscribed to as {wanted}")
-    return codec.compile(connection, subscription.fields) if subscription.fields else None
+    there = [path for path in subscription.optional if _has(codec, connection, path)]
+    paths = tuple(dict.fromkeys((*subscription.fields, *there)))
+    return paths, codec.compile(connection, paths) if paths else None
+
+
+def _has(codec: Codec, connection: Connection, path: str) -> bool:
+    try:
+        codec.compile(connection, (path,))
+    except TransportError:
+        return False
+    return True

@@ -164,11 +164,11 @@ class Wiring:
             How it hears; None where it cannot, which is logged once.
         """
         try:
-            reader = reader_for(self._codec, connection, ear.subscription)
+            paths, reader = reader_for(self._codec, connection, ear.subscription)
         except TransportError as error:
             self._refuse(ear, connection, str(error))
             return None
-        return Hearing(ear.hearer, tokens[0], tokens[1], ear.subscription.fields, reader)
+        return Hearing(ear.hearer, tokens[0], tokens[1], paths, reader)
 
     def _receivers(self, topic: Topic, connection: Connection) -> Tuple[Receiver, ...]:
         ears = [(ear, tokens) for group, tokens in topic.groups for ear in group.ears]
