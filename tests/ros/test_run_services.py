@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import signal
 from pathlib import Path
+from typing import List
 
 import pytest
 
@@ -83,9 +84,32 @@ def test_run_answers_and_obeys_as_the_node_supervisor_does(master: MasterProcess
         run.send(signal.SIGINT)
         run.finish(130)
         operator.do("node.shut_down('the test is over')")
-    events = [json.loads(line) for line in (run.out / "events.jsonl").read_text().splitlines()]
-    assert "wander is withdrawn: it is late" in [each["text"] for each in events]
-    review = tmp_path / "review"
+    assert "wander is withdrawn: it is late" in told(run)
+    check_review_is_run(run, tmp_path)
+
+
+def test_run_in_lock_step_obeys(master: MasterProcess, tmp_path: Path) -> None:
+    package = patrol_in(tmp_path, "  - {time: 9000, kind: robot_stops, robot: robot2}\n")
+    plan = (str(package), "--robots", "2", "--duration", "9999", "--lock-step")
+    with PythonProcess(master.environment) as operator, LiveRun(tmp_path / "run", master.environment, *plan) as run:
+        operator.do(OPERATOR)
+        operator.until(f"{EXECUTING} in states().values()", 90.0)
+        operator.do("call('submit_task', 'SubmitTask', task_yaml='{id: dig, kind: wander}')")
+        operator.do("call('withdraw_task', 'WithdrawTask', task_id='wander', reason='it is late')")
+        operator.until(f"(states().get('wander'), states().get('dig')) == ({WITHDRAWN}, {EXECUTING})", 90.0)
+        run.send(signal.SIGINT)
+        run.finish(130)
+        operator.do("node.shut_down('the test is over')")
+    assert "wander is withdrawn: it is late" in told(run)
+    check_review_is_run(run, tmp_path)
+
+
+def told(run: LiveRun) -> List[str]:
+    return [json.loads(line)["text"] for line in (run.out / "events.jsonl").read_text().splitlines()]
+
+
+def check_review_is_run(run: LiveRun, folder: Path) -> None:
+    review = folder / "review"
     assert main(["review", str(run.out / "mission.bag"), "--pictures", "0", "-q", "--out", str(review)]) == 0
     for name in ("summary.json", "events.jsonl", "incidents.jsonl"):
         assert (review / name).read_bytes() == (run.out / name).read_bytes(), name
