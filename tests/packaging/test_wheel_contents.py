@@ -35,7 +35,7 @@ def test_wheel_holds_every_python_module(contents: Dict[str, bytes], tree: Path)
     modules = {path.relative_to(tree / "src").as_posix() for path in (tree / "src").rglob("*.py")}
     schema = "rqt_mrta_py/config/schema"
     grammars = {f"{schema}/{name}" for name in ("architecture.rng", "application.rng")}
-    grammars |= {f"{schema}/{name}.schema.json" for name in ("tasks", "scenario")}
+    grammars |= {f"{schema}/{name}.schema.json" for name in ("tasks", "scenario", "tolerances")}
     new = "rqt_mrta_py/config/packages/skeleton"
     skeleton = {f"{new}/{name}.py.in" for name in ("agent", "init", "plugin", "setup", "test_agent")}
     skeleton.add(f"{new}/pytest.ini.in")

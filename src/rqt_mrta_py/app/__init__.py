@@ -4,6 +4,7 @@
 * ``observation``: supervisor, scene, panels and observers on one stream
 * ``run``: a simulated run; ``review``: a recorded one; ``salvage_bag``: what is left of one
 * ``nodes``: nodes of a ROS 1 graph, one to a file; ``live``: what they are made of
+* ``compare``: two finished missions side by side
 * ``outputs``: what runs leave; ``watch``: a team that is seen while it works, and nothing left
 * ``mission_message``: a mission as the first message of its bag; ``mission_source``: what a stream is about
 * ``selection``: part of a mission's team, another world

@@ -5,7 +5,7 @@
 * ``xml``: both flavours of rqt_mrta.xml, read and written
 * ``schema``: what all files may hold, as data; grammars and docs/config.md are written from it
 * ``yaml``: YAML text to values with lines, checked by tables that are also the documentation
-* ``tasks``, ``scenario``: the files with these tables
+* ``tasks``, ``scenario``, ``tolerances``: the files with these tables
 * ``parameters``: templates and what is given to each robot's parameters
 * ``fitting``: whether an architecture can share out the tasks
 * ``substitution``: tokens such as ``@robot_id@``, in parameters and launch files

@@ -2,7 +2,7 @@
 
 * ``ids``, ``names``, ``geometry``, ``taxonomy``, ``states``: small vocabularies
 * ``task``, ``application``, ``architecture``, ``parameters``, ``scenario``, ``mission``: what is asked for
-* ``record``, ``communication``: what was observed
+* ``record``, ``communication``: what was observed; ``tolerance``: how much worse another mission may be
 """
 
 from __future__ import annotations
@@ -55,6 +55,7 @@ from rqt_mrta_py.model.scenario import (
 from rqt_mrta_py.model.states import Outcome, Progress, RobotState, Severity, TaskState
 from rqt_mrta_py.model.task import Task
 from rqt_mrta_py.model.taxonomy import AllocationType, RobotType, TaskType, Taxonomy
+from rqt_mrta_py.model.tolerance import Tolerance, Worse
 
 __all__ = [
     "MAPPED_TOPICS",
@@ -107,8 +108,10 @@ __all__ = [
     "TaskType",
     "Taxonomy",
     "TemplateItem",
+    "Tolerance",
     "TopicTraffic",
     "Twist",
+    "Worse",
     "is_legal_name",
     "normalise_id",
     "resolve_name",

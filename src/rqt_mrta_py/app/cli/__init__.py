@@ -1,8 +1,8 @@
 """The command ``mrta``.
 
 * ``main``: finds the verb and turns errors into one line and a status; ``parser``: what it reads arguments with
-* ``list``, ``show``, ``new``, ``doctor``, ``configure``, ``run``, ``watch``, ``review``, ``salvage``, ``bench``: a verb
-  each, with ``add_arguments`` and ``main``
+* ``list``, ``show``, ``new``, ``doctor``, ``configure``, ``run``, ``watch``, ``review``, ``compare``, ``salvage``,
+  ``bench``: a verb each, with ``add_arguments`` and ``main``
 * ``new_flags``, ``interview``: answers that ``new`` gets from flags and at a terminal; ``new_package``: what it makes
   of them; ``prompts``: one question
 * ``plugin_verbs``: those of plugins

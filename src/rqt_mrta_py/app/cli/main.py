@@ -20,7 +20,7 @@ __all__ = ["main"]
 _MOST_LINES = 40
 """So much is said of what is wrong, unless more is asked for: what one robot lacks, ten thousand may lack too."""
 
-VERBS = ("list", "show", "new", "doctor", "configure", "run", "watch", "review", "salvage", "bench")
+VERBS = ("list", "show", "new", "doctor", "configure", "run", "watch", "review", "compare", "salvage", "bench")
 
 _DESCRIPTION = "Supervise teams of robots that share out tasks among themselves (multi-robot task allocation)."
 _EPILOG = "Exit status: 0 done, 1 judged bad, 2 wrong usage, 3 bad input, 4 something is missing here, 130 interrupted."

@@ -10,13 +10,14 @@ from rqt_mrta_py.config.schema.architecture_form import ARCHITECTURE_FILE
 from rqt_mrta_py.config.schema.json_schema import json_schema
 from rqt_mrta_py.config.schema.relax_ng import relax_ng
 from rqt_mrta_py.config.tasks.tasks_file import TASKS_FILE
+from rqt_mrta_py.config.tolerances import TOLERANCES_FILE
 
 __all__ = ["XML_FORMS", "YAML_FORMS", "grammars"]
 
 XML_FORMS = (ARCHITECTURE_FILE, APPLICATION_FILE)
 """The kinds of rqt_mrta.xml."""
 
-YAML_FORMS = (TASKS_FILE, SCENARIO_FILE)
+YAML_FORMS = (TASKS_FILE, SCENARIO_FILE, TOLERANCES_FILE)
 """The YAML files that have tables."""
 
 
