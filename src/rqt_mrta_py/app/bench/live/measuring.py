@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 from pathlib import Path
 from typing import Any, Callable, Dict, List, Sequence, Tuple
 
@@ -29,8 +30,7 @@ def _likeness(session: LiveSession, options: argparse.Namespace) -> BenchmarkTab
     runs = 2 if options.quick else options.runs
     for application in options.missions:
         plan = _plan(application, options)
-        best = options.factor or _factor_of(session, plan)
-        for factor in dict.fromkeys((1.0, best)) if best else (1.0,):
+        for factor in options.factors or dict.fromkeys((1.0, _factor_of(session, plan) or 1.0)):
             folder = _made(session.folder / f"{application}-{factor:g}")
             # The highest factor leaves no processor for another mission.
             at_once = options.at_once if factor <= 1.0 else 1
@@ -45,8 +45,7 @@ def _likeness(session: LiveSession, options: argparse.Namespace) -> BenchmarkTab
         rows=tuple(rows),
         notes=(
             "Alike: each task went to the same robots in the same order with the same outcomes, and began and ended "
-            f"within {_TOLERANCE:g} s; allocations shorter than 0.5 s are left out. The higher factor is the highest "
-            "that the clock sustained, unless one was given.",
+            f"within {_TOLERANCE:g} s; allocations shorter than 0.5 s are left out.",
         ),
     )
 
@@ -106,7 +105,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help=f"what tolerance and factor run (default: {','.join(_MISSIONS)})",
     )
     parser.add_argument(
-        "--factor", metavar="F", type=float, help="for tolerance, besides 1 (default: the highest that is sustained)"
+        "--factors", metavar="F,...", type=_factors, help="of tolerance (default: 1 and the highest that is sustained)"
     )
     parser.add_argument(
         "--at-once", metavar="N", type=int, choices=(1, 2, 3, 4), default=1, help="free runs at a time at factor 1 (1)"
@@ -131,6 +130,16 @@ def _seconds(options: argparse.Namespace, default: float) -> float:
 
 def _missions(text: str) -> Tuple[str, ...]:
     return tuple(part for part in text.split(",") if part)
+
+
+def _factors(text: str) -> Tuple[float, ...]:
+    try:
+        factors = tuple(float(part) for part in text.split(","))
+    except ValueError:
+        factors = ()
+    if not factors or not all(0.0 < each < math.inf for each in factors):
+        raise argparse.ArgumentTypeError(f"{text!r}: finite numbers above 0 are expected, as in 1,8")
+    return factors
 
 
 def _parts(text: str) -> Tuple[str, ...]:
