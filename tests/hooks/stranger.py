@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from argparse import ArgumentParser, Namespace
-from typing import Any, List, Mapping, Optional, Sequence, Tuple
+from typing import Any, BinaryIO, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -47,6 +47,7 @@ from rqt_mrta_py.hooks import (
     SensorMoment,
     SensorReading,
     Situation,
+    Stamped,
     Subscription,
     TeamMoment,
     TeamOutgoing,
@@ -270,6 +271,25 @@ class Ledger:
         return {"ledger.txt": "\n".join([*self.lines, f"{len(record.allocations)} in all"]).encode("utf-8")}
 
 
+class Transcript:
+    """Writes down on how many topics how much was said, as it was recorded."""
+
+    def __init__(self, setup: ExporterSetup) -> None:
+        self.sizes: Dict[str, int] = {}
+
+    def begin(self, record: MissionRecord, create: Callable[[str], BinaryIO]) -> None:
+        self.file = create("transcript.txt")
+        self.file.write(f"{len(record.allocations)} in all\n".encode())
+
+    def take(self, stamped: Stamped) -> None:
+        topic = stamped.connection.topic
+        self.sizes[topic] = self.sizes.get(topic, 0) + len(stamped.raw)
+
+    def end(self) -> None:
+        for topic in sorted(self.sizes):
+            self.file.write(f"{topic} {self.sizes[topic]}\n".encode())
+
+
 class Chronicle:
     """Draws how far the mole had gone when."""
 
@@ -377,7 +397,7 @@ class Stranger:
 
     @hookimpl
     def mrta_register_exporters(self) -> Mapping[str, Any]:
-        return {"ledger": Ledger}
+        return {"ledger": Ledger, "transcript": Transcript}
 
     @hookimpl
     def mrta_register_figures(self) -> Mapping[str, Any]:

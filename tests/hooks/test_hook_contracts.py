@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, List, NamedTuple
+from typing import Any, Dict, List, NamedTuple
 
 import pytest
 
@@ -51,7 +51,7 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
     folder = OutputFolder(tmp_path_factory.mktemp("out"))
     monitor = folder.monitor(wanted=True)
     assert monitor is not None
-    exporters = exporters_for(MISSION, ["ledger"], manager)
+    exporters = exporters_for(MISSION, ["ledger", "transcript"], manager)
     figures = figure_makers_for(MISSION, ["chronicle"], manager)
     observation = Observation(MISSION, codec, manager, 1.5, (*exporters.values(), *figures.values()))
     run = EmbeddedRun(MISSION, 1.5, codec, manager)
@@ -189,6 +189,16 @@ def test_hook_mrta_register_renderers_draws_every_period(story: Story) -> None:
 
 def test_hook_mrta_register_exporters_leaves_the_files_that_are_asked_for(story: Story) -> None:
     assert (story.folder / "export" / "ledger" / "ledger.txt").read_text() == "mole1 dig 3.0 m\n1 in all"
+
+
+def test_hook_mrta_register_exporters_are_handed_the_messages_of_the_bag(story: Story) -> None:
+    folder = story.folder / "export" / "transcript"
+    assert [path.name for path in folder.iterdir()] == ["transcript.txt"]
+    sizes: Dict[str, int] = {}
+    for stamped in story.stream:
+        sizes[stamped.connection.topic] = sizes.get(stamped.connection.topic, 0) + len(stamped.raw)
+    lines = ["1 in all", *(f"{topic} {sizes[topic]}" for topic in sorted(sizes))]
+    assert (folder / "transcript.txt").read_text().splitlines() == lines
 
 
 def test_hook_mrta_register_figures_leaves_the_pictures_that_are_asked_for(story: Story) -> None:

@@ -38,7 +38,7 @@ from rqt_mrta_py.hooks.behaviour import (
 from rqt_mrta_py.hooks.benchmark import Benchmark, BenchmarkReport, BenchmarkTable
 from rqt_mrta_py.hooks.curve_trace import CurveTrace, TeamTraces, nice_top
 from rqt_mrta_py.hooks.evaluator import SensorReading, SensoryEvaluator, SensoryEvaluatorFactory
-from rqt_mrta_py.hooks.exporter import Exporter, ExporterFactory, ExporterSetup
+from rqt_mrta_py.hooks.exporter import Exporter, ExporterFactory, ExporterSetup, MessageExporter
 from rqt_mrta_py.hooks.figure import (
     Chart,
     Figure,
@@ -189,6 +189,7 @@ __all__ = [
     "Measure",
     "MeasureFactory",
     "MeasureSetup",
+    "MessageExporter",
     "MessageObserverFactory",
     "MissingDependencyError",
     "MonitorPanel",

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable, Mapping, Protocol, Sequence
+from typing import BinaryIO, Callable, Mapping, Protocol, Sequence, Union
 
-from rqt_mrta_py.hooks.stream import Heard, Subscription
+from rqt_mrta_py.hooks.stream import Heard, Stamped, Subscription
 from rqt_mrta_py.model import Mission, MissionRecord
 
-__all__ = ["Exporter", "ExporterFactory", "ExporterSetup"]
+__all__ = ["Exporter", "ExporterFactory", "ExporterSetup", "MessageExporter"]
 
 
 @dataclass(frozen=True)
@@ -37,4 +37,29 @@ class Exporter(Protocol):
         ...
 
 
-ExporterFactory = Callable[[ExporterSetup], Exporter]
+class MessageExporter(Protocol):
+    """Is handed every message of a finished mission as it was recorded, and writes as it goes.
+
+    Made for formats that hold the messages themselves: they may be larger than memory.
+    """
+
+    def begin(self, record: MissionRecord, create: Callable[[str], BinaryIO]) -> None:
+        """Begin the files; called once, before the first message.
+
+        Args:
+            record: everything known of the mission.
+            create: opens a new file for writing by its plain name, in ``export/<name of the exporter>/`` of the output
+                folder. Files are closed for the exporter, and there only when all went well.
+        """
+        ...
+
+    def take(self, stamped: Stamped) -> None:
+        """Take the next message: of the bag, or of the supervisor, on topics of which the bag has nothing."""
+        ...
+
+    def end(self) -> None:
+        """Complete the files; called once, after the last message."""
+        ...
+
+
+ExporterFactory = Callable[[ExporterSetup], Union[Exporter, MessageExporter]]

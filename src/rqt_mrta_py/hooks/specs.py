@@ -239,7 +239,8 @@ class HookSpecs:
         """Name further files that runs and reviews can leave.
 
         Called: once, before a run or review starts; the factories only of those asked for (``--export``).
-        Returns: factory by the name that ``--export`` uses.
+        Returns: factory by the name that ``--export`` uses; it makes an Exporter, which hears fields, or a
+        MessageExporter, which is handed the messages as they were recorded.
         Combined: joined; the first registration of a name wins.
         An exception: stops the command; one raised by an exporter later on stops it too.
         """

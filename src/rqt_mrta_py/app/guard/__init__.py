@@ -2,7 +2,7 @@
 
 * ``asking``: asks one part, makes one, hears what it wants to hear
 * ``navigator``, ``allocator``, ``senses``: between agents or behaviours and what they work with
-* ``panel``, ``renderer``, ``exporter``, ``figure``, ``measure``: on the watching side
+* ``panel``, ``renderer``, ``exporter``, ``message_exporter``, ``figure``, ``measure``: on the watching side
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from rqt_mrta_py.app.guard.asking import guarded, made, makers, wishes_of
 from rqt_mrta_py.app.guard.exporter import GuardedExporter
 from rqt_mrta_py.app.guard.figure import GuardedFigureMaker, checked_figures
 from rqt_mrta_py.app.guard.measure import GuardedMeasure
+from rqt_mrta_py.app.guard.message_exporter import GuardedMessageExporter
 from rqt_mrta_py.app.guard.navigator import GuardedNavigator
 from rqt_mrta_py.app.guard.panel import GuardedPanel
 from rqt_mrta_py.app.guard.renderer import guarded_renderer
@@ -21,6 +22,7 @@ __all__ = [
     "GuardedExporter",
     "GuardedFigureMaker",
     "GuardedMeasure",
+    "GuardedMessageExporter",
     "GuardedNavigator",
     "GuardedPanel",
     "checked_figures",

@@ -4,5 +4,6 @@
 * ``results``: summary, events, incidents, dashboard, log; ``versions`` of libraries for it
 * ``communication``: nodes and topics of a bag
 * ``pictures``: monitor pictures at their place in the stream; ``picture_files``: as files and as film
-* ``exports``: files in other programs' formats; ``figures``: charts of the whole mission; ``asked_for`` by name
+* ``exports``: files in other programs' formats; ``message_exports``: those that hold the messages; ``figures``: charts
+  of the whole mission; ``asked_for`` by name
 """

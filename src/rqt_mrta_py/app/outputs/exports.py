@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Dict, Mapping, Sequence
+from typing import Any, Dict, Mapping, Sequence
 
-from rqt_mrta_py.app.guard import GuardedExporter, made
+from rqt_mrta_py.app.guard import GuardedExporter, GuardedMessageExporter, made
 from rqt_mrta_py.app.outputs.asked_for import asked_for
 from rqt_mrta_py.app.outputs.folder import OutputFolder, safe_file_name
 from rqt_mrta_py.hooks import Exporter, ExporterFactory, ExporterSetup
@@ -34,8 +34,15 @@ def exporters_for(mission: Mission, names: Sequence[str], manager: PluginManager
     factories: Mapping[str, ExporterFactory] = manager.registered("mrta_register_exporters")
     chosen = asked_for("--export", "there is no such exporter", names, factories)
     setup = ExporterSetup(mission)
-    needs = ("subscriptions", "hear", "export")
-    return {name: GuardedExporter(name, made(f"exporter {name}", factories[name], setup, *needs)) for name in chosen}
+    return {name: _exporter(name, made(f"exporter {name}", factories[name], setup)) for name in chosen}
+
+
+def _exporter(name: str, part: Any) -> Exporter:
+    """Guard an exporter of either kind: what takes messages has ``take``."""
+    who = f"exporter {name}"
+    if hasattr(part, "take"):
+        return GuardedMessageExporter(name, made(who, lambda _: part, None, "begin", "end"))
+    return GuardedExporter(name, made(who, lambda _: part, None, "subscriptions", "hear", "export"))
 
 
 def write_exports(folder: OutputFolder, exporters: Mapping[str, Exporter], record: MissionRecord) -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from contextlib import ExitStack
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
+from itertools import takewhile
 from pathlib import Path
 from typing import Callable, Optional, Tuple
 
@@ -17,6 +19,7 @@ from rqt_mrta_py.app.outputs.communication import write_communication
 from rqt_mrta_py.app.outputs.exports import exporters_for, write_exports
 from rqt_mrta_py.app.outputs.figures import figure_makers_for, figures_of, write_figures
 from rqt_mrta_py.app.outputs.folder import OutputFolder
+from rqt_mrta_py.app.outputs.message_exports import with_news, write_message_exports
 from rqt_mrta_py.app.outputs.picture_files import PictureFiles, check_film, open_film
 from rqt_mrta_py.app.outputs.pictures import period_in_ticks
 from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch, write_results
@@ -95,12 +98,14 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
             files = PictureFiles(path, open_film(folder, request.video))
             stack.callback(files.close)
             pictures = _Pictures(host.renderer("monitor"), files, _period_ns(mission, period))
+        heard_ns = start_ns
         for stamped in read_bag(request.bag):
             with patience.at_work(f"the review at {(stamped.receipt_ns - start_ns) / _NS:g} s"):
                 if pictures is not None:
                     pictures.until(stamped.receipt_ns, observation)
                 observation.feed(stamped)
-            progress((stamped.receipt_ns - start_ns) / _NS, length)
+            heard_ns = stamped.receipt_ns
+            progress((heard_ns - start_ns) / _NS, length)
             if interrupt.requested:
                 break
         if pictures is not None:
@@ -112,6 +117,10 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
             write_exports(folder, exporters, results.record)
             figures = figures_of(makers, results.record)
         write_figures(folder, figures)
+        heard = takewhile(lambda stamped: stamped.receipt_ns <= heard_ns, read_bag(request.bag))
+        said = observation.news()
+        stream = partial(with_news, heard, said, codec, info.topics)
+        write_message_exports(folder, exporters, results.record, stream, patience)
         write_communication(folder, info, results.record, picture=pictures is not None)
         return stopwatch.result(folder, results, interrupt)
 

@@ -14,6 +14,7 @@ from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs.exports import write_exports
 from rqt_mrta_py.app.outputs.figures import figures_of, write_figures
 from rqt_mrta_py.app.outputs.folder import OutputFolder
+from rqt_mrta_py.app.outputs.message_exports import write_message_exports
 from rqt_mrta_py.app.outputs.pictures import PICTURE_TOPIC, PictureSchedule
 from rqt_mrta_py.app.outputs.results import Results, write_results
 from rqt_mrta_py.app.run.clock import RunClock
@@ -21,7 +22,7 @@ from rqt_mrta_py.hooks import Exporter, FigureMaker, Outgoing, Renderer
 from rqt_mrta_py.hooks.patience import Patience
 from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
 from rqt_mrta_py.supervisor.own_topics import OWN_TOPICS
-from rqt_mrta_py.transport import BagWriter, Batch, Bus
+from rqt_mrta_py.transport import BagWriter, Batch, Bus, read_bag
 
 __all__ = ["BAG", "STATE_PERIOD", "SUPERVISOR_TOPICS", "Watch", "WatchPlan", "Watcher", "open_watch"]
 
@@ -158,6 +159,8 @@ class Watch:
             figures = figures_of(plan.figures, results.record)
         # Drawn by us, however many there are: nobody needs patience for it.
         write_figures(plan.folder, figures)
+        bag = plan.folder.path / BAG
+        write_message_exports(plan.folder, plan.exporters, results.record, lambda: read_bag(bag), plan.patience)
         return results
 
     def _finish(self, plan: WatchPlan) -> Results:
