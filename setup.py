@@ -105,7 +105,13 @@ setup(
     package_dir={"": "src"},
     packages=find_packages("src"),
     package_data={
-        "rqt_mrta_py": ["py.typed", "config/schema/*.rng", "config/schema/*.json", "config/packages/skeleton/*.in"]
+        "rqt_mrta_py": [
+            "py.typed",
+            "config/schema/*.rng",
+            "config/schema/*.json",
+            "config/packages/skeleton/*.in",
+            "render/report/assets/*",
+        ]
     },
     # Under catkin CMakeLists.txt installs these.
     data_files=[] if "CATKIN_BINARY_DIR" in os.environ else ros_files(),

@@ -1,11 +1,12 @@
 """Pictures of a mission.
 
-* ``scene``, ``path``, ``frames``, ``body_keeper``, ``happenings``: follow the stream to know where everything is and
-  was, and what a scenario made happen
+* ``scene``, ``path``, ``pose_log``, ``frames``, ``body_keeper``, ``happenings``: follow the stream to know where
+  everything is and was, and what a scenario made happen
 * ``monitor``: one moment; its parts are ``header``, ``floor``, ``arena``, ``bodies``, ``crowd`` and ``trails``,
   ``team``, ``tasks``, ``events``, ``timeline`` and ``marks``, ``curves`` and ``curve_axes``; ``page`` is what they are
   drawn from, ``layers`` draw again only what looks different
 * ``dashboard``: the whole; its parts are in ``charts``
+* ``report``: the whole as a page to walk through
 * ``figures``: charts that missions and benchmarks leave
 * ``network``: nodes and topics
 * ``layout``, ``canvas``, ``text``, ``labels``, ``signs``, ``stamps``, ``palette``, ``times``, ``spells``,

@@ -9,10 +9,11 @@ from rqt_mrta_py.config.tasks.task_text import read_task
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.hooks import Heard, RobotModel, RobotSight, SceneView, Subscription
 from rqt_mrta_py.model import Mission, Pose, Progress, Task, normalise_id
-from rqt_mrta_py.render.body_keeper import BodyKeeper
+from rqt_mrta_py.render.body_keeper import BodyKeeper, BodyTrack
 from rqt_mrta_py.render.frames import FrameTree
 from rqt_mrta_py.render.happenings import LabelKeeper
 from rqt_mrta_py.render.path import PathKeeper
+from rqt_mrta_py.render.pose_log import PoseLog, RobotTrack
 
 __all__ = ["DEFAULT_RADIUS", "SceneTracker"]
 
@@ -28,6 +29,10 @@ _PROGRESS = Subscription("/mrta/task_progress", "rqt_mrta_py/TaskProgress", ("ta
 # Trails and paths of all robots together have about so many points at most; a trail has no fewer than the last.
 _TRAIL_POINTS, _PATH_POINTS, _FEWEST = 4000, 400_000, 5
 _SPACING, _FEW_ROBOTS = 0.05, 40
+
+# What the report shows of any moment: so often a pose [s]; about so many of all robots together, of one robot from so
+# many to so many.
+_LOG_PERIOD, _LOG_POSES, _FEWEST_LOGGED, _MOST_LOGGED = 0.2, 400_000, 60, 20_000
 
 
 class SceneTracker:
@@ -96,6 +101,18 @@ class SceneTracker:
         tasks, bodies = tuple(self._tasks.values()), self._bodies.bodies()
         return SceneView(self._arena, self._obstacles, robots, tasks, self._labels.labels(), bodies)
 
+    def tracks(self) -> Tuple[RobotTrack, ...]:
+        """Give where each robot was at which moment, as finely as it was kept."""
+        return tuple(track.log.track(robot, track.radius) for robot, track in self._tracks.items())
+
+    def body_tracks(self) -> Tuple[BodyTrack, ...]:
+        """Give where each loose body was at which moment, sorted by id."""
+        return self._bodies.tracks()
+
+    def every_task(self) -> Tuple[Task, ...]:
+        """Give every task that was known at any moment: those listed first, in their order."""
+        return tuple({**self._known_tasks, **self._tasks}.values())
+
     def _seen(self, now: float) -> Tuple[RobotSight, ...]:
         """Give the robots with their recent trails; the same again until one is heard or a trail grows too old."""
         if self._sights is None or now < self._seen_at or self._oldest < now - self._trail:
@@ -116,6 +133,8 @@ class SceneTracker:
         track.turn = turn
         track.located = True
         track.path.add(heard.receipt, x, y)
+        if heard.receipt >= track.log.due:
+            track.log.add(heard.receipt, x, y, turn)
 
     def _hear_transforms(self, heard: Heard) -> None:
         for robot, pose in self._frames.take(heard.fields["transforms"]):
@@ -124,6 +143,8 @@ class SceneTracker:
                 self._sights = None
                 track.turn = (0.0, 0.0, math.sin(pose.yaw / 2.0), math.cos(pose.yaw / 2.0))
                 track.path.add(heard.receipt, pose.x, pose.y)
+                if heard.receipt >= track.log.due:
+                    track.log.add(heard.receipt, pose.x, pose.y, track.turn)
 
     def _hear_progress(self, heard: Heard) -> None:
         code, task = heard.fields["progress"], normalise_id(heard.fields["task_id"])
@@ -151,17 +172,22 @@ class SceneTracker:
             longest=max(min(_PATH_POINTS // team, 4000), _FEWEST),
         )
         model = self._models.get(self._model_of.get(robot, ""))
-        return _Track(robot, path, DEFAULT_RADIUS if model is None else model.radius)
+        log = PoseLog(
+            _LOG_PERIOD * max(1.0, math.sqrt(team / _FEW_ROBOTS)),
+            max(min(_LOG_POSES // team, _MOST_LOGGED), _FEWEST_LOGGED),
+        )
+        return _Track(robot, path, log, DEFAULT_RADIUS if model is None else model.radius)
 
 
 class _Track:
-    """One robot: its path, its newest orientation as x, y, z, w, whether it ever told a pose, its radius [m]."""
+    """One robot: its path, poses, newest orientation as x, y, z, w, whether it ever told a pose, its radius [m]."""
 
-    __slots__ = ("_robot", "_seen", "_seen_at", "_sight", "located", "path", "radius", "turn")
+    __slots__ = ("_robot", "_seen", "_seen_at", "_sight", "located", "log", "path", "radius", "turn")
 
-    def __init__(self, robot: str, path: PathKeeper, radius: float) -> None:
+    def __init__(self, robot: str, path: PathKeeper, log: PoseLog, radius: float) -> None:
         self._robot = robot
         self.path = path
+        self.log = log
         self.radius = radius
         self.turn = (0.0, 0.0, 0.0, 1.0)
         self.located = False

@@ -1,0 +1,199 @@
+"""Nodes and topics: as a picture that scales, and as a table."""
+
+from __future__ import annotations
+
+from typing import Dict, List, NamedTuple, Optional, Sequence
+
+from rqt_mrta_py.model import CommunicationGraph
+from rqt_mrta_py.render.network.folding import Folded, folded
+from rqt_mrta_py.render.network.layering import layered
+from rqt_mrta_py.render.network.ordering import ordered
+from rqt_mrta_py.render.network.placing import heights
+from rqt_mrta_py.render.report.html import Content, Html, element, words
+from rqt_mrta_py.render.report.report_input import ReportInput
+from rqt_mrta_py.render.report.tables import section, table
+
+__all__ = ["network_section"]
+
+_MOST_TOPICS = 40
+_MOST_ROWS = 1000
+_LETTER, _SMALL_LETTER, _LONGEST = 7.6, 6.3, 46
+_TOPIC_HEIGHT, _NODE_HEIGHT, _PASSING = 42.0, 30.0, 4.0
+_GAP, _BETWEEN, _MARGIN = 12.0, 96.0, 4.0
+
+
+class _Vertex(NamedTuple):
+    """A node or a topic: its name, what is said of it, how wide it is [pixels]."""
+
+    is_topic: bool
+    name: str
+    detail: str
+    width: float
+
+
+class _Line(NamedTuple):
+    """Who says what, or hears it, by numbers of vertices."""
+
+    node: int
+    topic: int
+    says: bool
+    hears: bool
+
+
+def network_section(given: ReportInput) -> Optional[Html]:
+    """Show who says what; None where nobody knows."""
+    graph = given.communication
+    if graph is None or not graph.flows:
+        return None
+    small = folded(graph, [robot.id for robot in given.view.record.robots], _MOST_TOPICS)
+    note = f"{len(graph.nodes)} nodes, {len(graph.topics)} topics"
+    if graph.subscriptions is None:
+        note += "; a bag does not tell who hears"
+    if small.left_out:
+        note += f"; the {small.left_out} topics with the fewest messages are in the table only"
+    return section(
+        "communication",
+        "Communication",
+        element(
+            "div", _picture(small), class_="scroll network", tabindex=0, role="region", aria_label="Nodes and topics"
+        ),
+        element("details", element("summary", f"All {len(graph.flows)} publications"), _table(graph)),
+        note=note,
+    )
+
+
+def _table(graph: CommunicationGraph) -> Html:
+    rows: List[Sequence[Content]] = [
+        [
+            element("code", flow.topic),
+            element("code", flow.node or "?"),
+            element("code", flow.type),
+            f"{flow.messages:,}",
+            "–" if flow.rate is None else f"{flow.rate:.4g}",
+        ]
+        for flow in graph.flows[:_MOST_ROWS]
+    ]
+    more = len(graph.flows) - len(rows)
+    made = table("Publications", ["topic", "node", "type", "messages", "rate [Hz]"], rows, 3)
+    if more <= 0:
+        return made
+    return element("div", made, element("p", f"{more} more are in communication.json", class_="hint"))
+
+
+def _picture(small: Folded) -> Html:
+    vertices, lines = _parts(small)
+    found = layered(
+        len(vertices), [(each.node, each.topic) if each.says else (each.topic, each.node) for each in lines]
+    )
+    layers = ordered(found.layers, found.chains)
+    sizes = {
+        vertex: _PASSING if vertex >= len(vertices) else _TOPIC_HEIGHT if vertices[vertex].is_topic else _NODE_HEIGHT
+        for layer in layers
+        for vertex in layer
+    }
+    places = heights(layers, found.chains, sizes, _GAP)
+    lefts: Dict[int, float] = {}
+    widths: Dict[int, float] = {}
+    left = _MARGIN
+    for layer in layers:
+        widest = max((vertices[vertex].width for vertex in layer if vertex < len(vertices)), default=0.0)
+        for vertex in layer:
+            lefts[vertex], widths[vertex] = left, widest
+        left += widest + _BETWEEN
+    width = max(left - _BETWEEN + _MARGIN, 1.0)
+    height = max((places[vertex] + sizes[vertex] / 2.0 for vertex in places), default=0.0) + 2.0 * _MARGIN
+    parts: List[Html] = []
+    for number, line in enumerate(lines):
+        chain = found.chains[number]
+        parts.append(_curve(chain, lefts, widths, places, backwards=number in found.reversed_edges, line=line))
+    for number, each in enumerate(vertices):
+        parts.append(_box(each, lefts[number] + widths[number] / 2.0, places[number] + _MARGIN))
+    arrow = element(
+        "marker",
+        element("path", d="M0,0L9,4.5L0,9z"),
+        id="arrow",
+        viewBox="0 0 9 9",
+        refX=9,
+        refY="4.5",
+        markerWidth=9,
+        markerHeight=9,
+        markerUnits="userSpaceOnUse",
+        orient="auto-start-reverse",
+    )
+    return element(
+        "svg",
+        element("defs", arrow),
+        *parts,
+        viewBox=f"0 0 {width:.1f} {height:.1f}",
+        width=f"{width:.0f}",
+        height=f"{height:.0f}",
+        role="img",
+        aria_label="Nodes on the left lead to the topics that they publish",
+    )
+
+
+def _parts(small: Folded) -> tuple[List[_Vertex], List[_Line]]:
+    graph = small.graph
+    nodes, topics = graph.nodes, graph.topics
+    vertices = [_vertex(node, "", small, is_topic=False) for node in nodes]
+    for topic in topics:
+        rate = "" if topic.rate is None else f"{topic.rate:.3g} Hz"
+        detail = "   ".join(part for part in (", ".join(topic.types), rate) if part)
+        vertices.append(_vertex(topic.name, detail, small, is_topic=True))
+    node_numbers = {node: number for number, node in enumerate(nodes)}
+    topic_numbers = {topic.name: len(nodes) + number for number, topic in enumerate(topics)}
+    says = {(node_numbers[flow.node], topic_numbers[flow.topic]) for flow in graph.flows if flow.node}
+    hears = {(node_numbers[node], topic_numbers[topic]) for topic, node in graph.subscriptions or ()}
+    return vertices, [_Line(*pair, pair in says, pair in hears) for pair in sorted(says | hears)]
+
+
+def _vertex(name: str, detail: str, small: Folded, *, is_topic: bool) -> _Vertex:
+    count = f"  ×{small.counts[name]}" if name in small.counts else ""
+    shown = words(name, _LONGEST) + count
+    detail = words(detail, _LONGEST + 10)
+    return _Vertex(is_topic, shown, detail, max(len(shown) * _LETTER, len(detail) * _SMALL_LETTER) + 26.0)
+
+
+def _box(vertex: _Vertex, x: float, y: float) -> Html:
+    height = _TOPIC_HEIGHT if vertex.is_topic else _NODE_HEIGHT
+    rect = element(
+        "rect",
+        x=f"{x - vertex.width / 2.0:.1f}",
+        y=f"{y - height / 2.0:.1f}",
+        width=f"{vertex.width:.1f}",
+        height=f"{height:.1f}",
+        rx=3 if vertex.is_topic else f"{height / 2.0:.0f}",
+    )
+    name = element("text", vertex.name, x=f"{x:.1f}", y=f"{y - 3.0 if vertex.detail else y + 4.5:.1f}")
+    detail = (
+        element("text", vertex.detail, x=f"{x:.1f}", y=f"{y + 13.0:.1f}", class_="detail") if vertex.detail else None
+    )
+    return element("g", rect, name, detail, class_="topic" if vertex.is_topic else "node")
+
+
+def _curve(
+    chain: Sequence[int],
+    lefts: Dict[int, float],
+    widths: Dict[int, float],
+    places: Dict[int, float],
+    *,
+    backwards: bool,
+    line: _Line,
+) -> Html:
+    pieces: List[str] = []
+    for before, after in zip(chain, chain[1:]):
+        x, y = lefts[before] + widths[before], places[before] + _MARGIN
+        to_x, to_y = lefts[after], places[after] + _MARGIN
+        middle = (x + to_x) / 2.0
+        pieces.append(
+            f"{'L' if pieces else 'M'}{x:.1f},{y:.1f}"
+            f"C{middle:.1f},{y:.1f} {middle:.1f},{to_y:.1f} {to_x:.1f},{to_y:.1f}"
+        )
+    both = line.says and line.hears
+    return element(
+        "path",
+        d=Html("".join(pieces)),
+        class_="both" if both else "says" if line.says else "hears",
+        marker_end=None if backwards and not both else "url(#arrow)",
+        marker_start="url(#arrow)" if backwards or both else None,
+    )

@@ -1,0 +1,145 @@
+"""Finished missions to make reports of: a usual one, an hostile one, an empty one."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Dict, Tuple
+
+from rqt_mrta_py.hooks import CurvePanel, MonitorView, SceneView
+from rqt_mrta_py.model import (
+    Allocation,
+    CommunicationGraph,
+    Evidence,
+    Flow,
+    Incident,
+    MissionRecord,
+    Outcome,
+    Pose,
+    RobotInterval,
+    RobotRecord,
+    RobotState,
+    Severity,
+    Task,
+    TaskInterval,
+    TaskRecord,
+    TaskState,
+    Taxonomy,
+)
+from rqt_mrta_py.render.pose_log import RobotTrack
+from rqt_mrta_py.render.report import BagFile, ClockRow, Provenance, ReportInput
+from tests.render.views import START, patrol
+
+__all__ = ["HOSTILE", "empty_mission", "hostile_mission", "usual_mission"]
+
+HOSTILE = (
+    "</script><script>window.broken=1</script>",
+    "<img src=x onerror=window.broken=1>",
+    '"><svg onload=window.broken=1>',
+    "'-window.broken++-'",
+    "{{constructor.constructor('window.broken=1')()}}",
+    "javascript:window.broken=1",
+    "<!--<script>",
+    "]]>&lt;b&gt;",
+    "\u202etxt.exe\u2028\u2029\x00\x1b[31m",
+    "__proto__",
+)
+
+
+def usual_mission() -> ReportInput:
+    """Five robots, three tasks, 90 s; robot3 falls silent, robot1 takes over, and everything else that a page shows."""
+    view = patrol(whole=True)
+    lost = Incident(
+        "robot_silent_with_task",
+        Severity.ERROR,
+        START + 60.0,
+        START + 90.0,
+        ("robot3",),
+        ("border_protection",),
+        "robot3 fell silent while it held border_protection, last heard at 60.0 s; robot1 took over at 65.4 s",
+        (Evidence("/alliance/inter_robot_communication", START + 60.0, 337),),
+    )
+    flips = Incident(
+        "flipping_allocation",
+        Severity.WARNING,
+        START + 28.0,
+        START + 51.0,
+        (),
+        ("report",),
+        "report changed hands often",
+    )
+    record = replace(view.record, incidents=(flips, lost))
+    flows = tuple(
+        Flow(f"/robot{number}/agent", topic, kind, messages, messages / 90.0)
+        for topic, kind, messages in (
+            ("/alliance/inter_robot_communication", "alliance_msgs/InterRobotCommunication", 45),
+            ("/mrta/task_progress", "rqt_mrta_py/TaskProgress", 12),
+        )
+        for number in range(1, 6)
+    )
+    return ReportInput(
+        view=replace(view, record=record),
+        provenance=Provenance(
+            "review",
+            (BagFile("mission.bag", 2_345_678, 12_345),),
+            {"rqt_mrta_py": "0.1.0", "numpy": "1.26.4"},
+            {f"robot{number}": {"broadcast_rate": 5.0, "id": number} for number in range(1, 6)},
+        ),
+        tracks=tuple(_track(f"robot{number}", number) for number in range(1, 6)),
+        tasks=view.scene.tasks,
+        communication=CommunicationGraph(flows),
+        clocks=(ClockRow("/robot1/pose", "/robot1/localiser", 900, 10.0, 0.004, 0.31, 0.0021, 0.004, 1e-6),),
+        causes={"robot_silent_with_task": "The robot was switched off, its program died, or the radio failed."},
+        figures={"messages_per_allocation": 32.1},
+    )
+
+
+def hostile_mission() -> ReportInput:
+    """A mission in which every text that a bag may bring wants to be a script."""
+    names = HOSTILE
+    robots = tuple(RobotRecord(name, (RobotInterval(RobotState.BUSY, 0.0, 10.0),), 10.0) for name in names)
+    tasks = tuple(TaskRecord(name, (TaskInterval(TaskState.EXECUTING, 0.0, 10.0),)) for name in names)
+    held = tuple(Allocation(name, name, 1.0, 9.0, Outcome.OPEN) for name in names)
+    incidents = tuple(
+        Incident(name, Severity.ERROR, 1.0, 2.0, (name,), (name,), name, (Evidence(name, 1.0, 0),)) for name in names
+    )
+    usual = usual_mission().view
+    panel = usual.panels[0]
+    groups = tuple(
+        replace(group, label=name, curves=tuple(replace(curve, label=name) for curve in group.curves))
+        for group, name in zip(panel.groups, names)
+    )
+    events = tuple(replace(event, text=name) for event, name in zip(usual.record.events, names * 3))
+    statistics: Dict[str, object] = {name: name for name in names}
+    record = MissionRecord(
+        names[0], names[1], Taxonomy(), 0, 0.0, 10.0, robots, tasks, held, incidents, events, statistics
+    )
+    scene = SceneView(None, (), (), tuple(Task(name, name, Pose(0.0, 1.0)) for name in names))
+    panels: Tuple[CurvePanel, ...] = (replace(panel, title=names[0], unit=names[1], groups=groups),)
+    return ReportInput(
+        view=MonitorView(names[0], names[1], 10.0, record, scene, panels),
+        provenance=Provenance(
+            names[0], (BagFile(names[1], 1, 1),), {names[0]: names[1]}, {names[0]: {names[1]: names[2]}}
+        ),
+        tracks=tuple(_track(name, number) for number, name in enumerate(names)),
+        tasks=scene.tasks,
+        communication=CommunicationGraph(tuple(Flow(name, name, name, 1, 1.0) for name in sorted(names))),
+        clocks=tuple(ClockRow(name, name, 1, remark=name) for name in names),
+        causes={name: name for name in names},
+        figures={"messages_per_allocation": 1.0},
+    )
+
+
+def empty_mission() -> ReportInput:
+    """Nothing was heard at all."""
+    record = MissionRecord(None, None, Taxonomy(), None, None, None, (), (), (), (), ())
+    return ReportInput(MonitorView("", "", 0.0, record, SceneView(None, (), (), ())), Provenance("review"))
+
+
+def _track(robot: str, number: int) -> RobotTrack:
+    times = tuple(START + step * 0.2 for step in range(451))
+    turns = tuple(0.05 * (time + 9.0 * number) for time in times)
+    xs = tuple((2.0 + 0.4 * number) * math.cos(turn) for turn in turns)
+    ys = tuple((1.5 + 0.4 * number) * math.sin(turn) for turn in turns)
+    yaws = tuple(math.atan2(math.cos(turn), -math.sin(turn)) for turn in turns)
+    return RobotTrack(robot, 0.2, 0.2, times, xs, ys, yaws)

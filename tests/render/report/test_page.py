@@ -1,0 +1,104 @@
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+from typing import Dict, List, Optional, Tuple
+
+import pytest
+
+from rqt_mrta_py.render.report import ReportInput, report_html
+from tests.render.report.missions import empty_mission, hostile_mission, usual_mission
+
+MISSIONS = {"usual": usual_mission, "hostile": hostile_mission, "empty": empty_mission}
+VOID = {"br", "col", "hr", "img", "input", "link", "meta"}
+
+
+class Reader(HTMLParser):
+    """Collects elements, and holds that each is closed where it should be."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: List[str] = []
+        self.elements: List[Tuple[str, Dict[str, Optional[str]]]] = []
+
+    def handle_starttag(self, tag: str, attrs: List[Tuple[str, Optional[str]]]) -> None:
+        self.elements.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+def read(text: str) -> Reader:
+    reader = Reader()
+    reader.feed(text)
+    reader.close()
+    assert not reader.open
+    return reader
+
+
+@pytest.fixture(params=sorted(MISSIONS))
+def given(request: pytest.FixtureRequest) -> ReportInput:
+    return MISSIONS[request.param]()
+
+
+def test_the_page_is_whole_and_asks_for_nothing(given: ReportInput) -> None:
+    reader = read(report_html(given))
+    tags = [tag for tag, _ in reader.elements]
+    assert tags.count("script") == 2
+    assert not {"img", "iframe", "link", "object", "form", "base"} & set(tags)
+    for _, attributes in reader.elements:
+        assert not [name for name in attributes if name.startswith("on") or name in ("src", "style", "srcset")]
+        assert (attributes.get("href") or "#").startswith("#")
+
+
+def test_ids_are_unique_and_links_lead_somewhere(given: ReportInput) -> None:
+    reader = read(report_html(given))
+    ids = [attributes["id"] for _, attributes in reader.elements if "id" in attributes]
+    assert len(ids) == len(set(ids))
+    links = {attributes["href"] for tag, attributes in reader.elements if tag == "a"}
+    assert {link for link in links if not re.match(r"#t=-?[0-9.]+(&incident=\d+)?$", str(link))} <= {
+        f"#{i}" for i in ids
+    }
+
+
+def test_equal_missions_give_equal_pages(given: ReportInput) -> None:
+    assert report_html(given) == report_html(given)
+
+
+def test_an_incident_is_told_with_its_cause_and_its_evidence() -> None:
+    text = report_html(usual_mission())
+    assert "robot3 fell silent while it held border_protection, last heard at 60.0 s" in text
+    assert "Usual cause: </b>The robot was switched off, its program died, or the radio failed." in text
+    assert '<a href="#t=60.000&amp;incident=1" class="when">60.0 s</a>' in text
+    assert "<code>/alliance/inter_robot_communication</code> message 337" in text
+
+
+def test_figures_stand_with_what_they_are_told_of() -> None:
+    text = report_html(usual_mission())
+    assert "messages per allocation" in text
+    assert re.search(r'<th scope="col" class="number">utilisation</th>', text)
+    assert "<dd>review</dd>" not in text
+    assert "mrta review" in text
+    assert "mission.bag: 12,345 messages, 2.3 MB" in text
+
+
+def test_parameters_that_differ_name_their_robots() -> None:
+    text = report_html(usual_mission())
+    assert "<code>broadcast_rate</code></th><td>5.00</td>" in text
+    assert "1 (robot1); 2 (robot2)" in text
+
+
+def test_time_on_connections_is_told_where_somebody_measured() -> None:
+    text = report_html(usual_mission())
+    assert "2.1</td>" in text
+    assert 'id="clocks"' in text
+    assert 'id="clocks"' not in report_html(replace(usual_mission(), clocks=()))
+
+
+def test_a_mission_of_nothing_says_so() -> None:
+    text = report_html(empty_mission())
+    assert "No robot is known." in text
+    assert "nothing was heard" in text
