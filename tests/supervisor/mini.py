@@ -109,7 +109,8 @@ class Stream:
             if match is None or (type and subscription.type not in ("", type)):
                 continue
             tokens = match.groupdict()
-            read = {path: values[path] for path in subscription.fields if path in values}
+            paths = (*subscription.fields, *subscription.optional)
+            read = {path: values[path] for path in paths if path in values}
             callback(Heard(topic, type, time, read, tokens.get("robot", ""), tokens.get("task", ""), caller, ordinal))
 
     def busy(self, time: float, robot: str, task: str, stamp: Optional[float] = None) -> None:

@@ -105,5 +105,10 @@ def test_statistic_of_nothing_is_empty(name: str, value: object) -> None:
 def test_rules_and_statistics_come_through_the_hooks_that_everybody_uses() -> None:
     manager = PluginManager()
     manager.register(plugin, "supervisor")
-    assert set(manager.registered("mrta_register_incident_rules")) == {"robot_silent_with_task"}
+    assert set(manager.registered("mrta_register_incident_rules")) == {
+        "message_from_the_future",
+        "message_from_the_past",
+        "robot_silent_with_task",
+        "topic_gap",
+    }
     assert manager.registered("mrta_register_statistics") == STATISTICS

@@ -7,6 +7,7 @@
 * ``team``: derives facts; ``robots``, ``tasks``, ``allocations`` keep one thing each, ``timeline`` their histories
 * ``standing``: how a team stands, as another supervisor tells whoever comes late
 * ``agenda``: what falls due when; ``copies``: a team that looks ahead without moving on
+* ``clocks``: stamps against receipts, and who falls silent on a topic
 * ``desk``, ``rules``: incidents; ``failures``: plugins that raise on the way
 * ``journal``, ``news``, ``summary``: the same for readers, for other nodes, for programs; ``own_topics``: where
 * ``statistics``: numbers of a finished mission

@@ -49,6 +49,11 @@ class TopicReader:
         return max(self.topic.timeout, 0.0)
 
     @property
+    def tells_robot(self) -> bool:
+        """Whether each message tells a robot, in a field or by the name of its topic."""
+        return bool(self.robot_path) or ROBOT_TOKEN in self.topic.name
+
+    @property
     def tells_task(self) -> bool:
         """Whether each message tells a task, in a field or by the name of its topic."""
         return bool(self.task_path) or TASK_TOKEN in self.topic.name

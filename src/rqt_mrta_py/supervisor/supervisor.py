@@ -25,6 +25,7 @@ from rqt_mrta_py.hooks import (
 )
 from rqt_mrta_py.hooks.answers import json_breach
 from rqt_mrta_py.model import Event, Incident, Mission, MissionRecord
+from rqt_mrta_py.supervisor.clocks import Timekeeper
 from rqt_mrta_py.supervisor.desk import Desk
 from rqt_mrta_py.supervisor.ears import Callback, Ears
 from rqt_mrta_py.supervisor.failures import checked, failure
@@ -74,6 +75,7 @@ class Supervisor:
         robots = tuple(robot.id for robot in mission.application.robots)
         self._team = Team(TeamSetup(robots, mission.tasks, topics.silence, mission.later_tasks), self._on_fact)
         self._ears = Ears(topics, self._team, self._enter, self.report)
+        self._timekeeper = Timekeeper(topics, self._team, self._on_timing)
         self._start: Optional[float] = None
         self._message: MessageKey = ("", 0.0, -1)
         self._time_of_fact = 0.0
@@ -97,6 +99,7 @@ class Supervisor:
         """
         pairs = self._ears.listeners()
         pairs += self._ears.listeners_for(self._interpreter, self._mission.architecture.package)
+        pairs += self._timekeeper.listeners()
         for name, rule in self._rules.items():
             pairs += [(wish, self._hears_rule(name)) for wish in _wishes(name, rule)]
         return pairs
@@ -179,7 +182,7 @@ class Supervisor:
     @property
     def next_due(self) -> float:
         """When something happens without a message [s]; infinity if nothing will, before the stream has begun too."""
-        return min(self._team.agenda.next, self._desk.next_wake)
+        return min(self._team.agenda.next, self._timekeeper.next_due, self._desk.next_wake)
 
     def settle(self) -> None:
         """Draw now, rather than with the next message, what conclusions everybody's hearing of a message allows."""
@@ -230,6 +233,7 @@ class Supervisor:
         if self._finished is None:
             if self._start is not None:
                 self._team.settle()
+                self._timekeeper.finish()
                 self._desk.finish(self._team.now)
             record = self.record()
             statistics = {name: _computed(name, self._statistics[name], record) for name in sorted(self._statistics)}
@@ -257,17 +261,17 @@ class Supervisor:
             self._pass(receipt)
 
     def _pass(self, until: float) -> None:
-        agenda, desk, team = self._team.agenda, self._desk, self._team
+        agenda, timekeeper, desk, team = self._team.agenda, self._timekeeper, self._desk, self._team
         while True:
-            if agenda.next <= desk.next_wake:
-                if agenda.next >= until:
-                    break
-                self._time_of_fact = agenda.next
+            due = min(agenda.next, timekeeper.next_due, desk.next_wake)
+            if due >= until:
+                break
+            self._time_of_fact = due
+            if agenda.next == due:
                 team.expire()
+            elif timekeeper.next_due == due:
+                timekeeper.expire()
             else:
-                if desk.next_wake >= until:
-                    break
-                self._time_of_fact = desk.next_wake
                 desk.wake_next()
         team.now = self._time_of_fact = until
 
@@ -290,6 +294,10 @@ class Supervisor:
         event = event_of_fact(fact, why)
         if event is not None:
             self._note(event, getattr(fact, "started", fact.time))
+        self._desk.notice(fact)
+
+    def _on_timing(self, fact: Fact) -> None:
+        self._changes += 1
         self._desk.notice(fact)
 
     def _on_opened(self, incident: Incident) -> None:

@@ -1,0 +1,13 @@
+"""Time as messages tell it: stamps against receipts, regular topics and their gaps.
+
+* ``leads``: how far the stamps of one robot are ahead of receipts, and when that is more than chance
+* ``pulses``: that a robot speaks regularly on a topic, and that it does so no more
+* ``timekeeper``: hears monitored topics and tells the rules of both
+* ``stamped_off``: what the rules on stamps share; ``words``: spans of time for sentences
+"""
+
+from __future__ import annotations
+
+from rqt_mrta_py.supervisor.clocks.timekeeper import Timekeeper
+
+__all__ = ["Timekeeper"]
