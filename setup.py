@@ -22,10 +22,17 @@ EXTRAS["all"] = [requirement for name in sorted(EXTRAS) for requirement in EXTRA
 # Large, and wanted by few: decisions of thousands of robots, compiled (the last version for Python 3.8 is 0.58), and
 # what routes of the multiple travelling robot problem are measured against.
 EXTRAS["compiled"] = ["numba>=0.56,<1"]
+# Formats of other programs: MCAP files, Parquet tables.
+EXTRAS["mcap"] = ["mcap>=1.1,<2"]
+EXTRAS["parquet"] = ["pyarrow>=12,<30"]
 EXTRAS["references"] = ["ortools>=9.8,<10", "pyvrp>=0.14,<0.15; python_version >= '3.11'"]
 EXTRAS["test"] = [
     *EXTRAS["compiled"],
+    *EXTRAS["mcap"],
+    *EXTRAS["parquet"],
     *EXTRAS["references"],
+    # An independent decoder of the ROS messages in MCAP files.
+    "mcap-ros1-support>=0.7,<1",
     "pytest>=8,<10",
     "hypothesis>=6.100,<7",
     # An independent reader of the JSON Schemas that come with the package.

@@ -19,6 +19,7 @@ pytestmark = pytest.mark.ros
 PLUGINS = {
     "basic_behaviours",
     "csv_tables",
+    "mcap_recordings",
     "mission_journal",
     "mrta_alliance",
     "mrta_baselines",
@@ -26,6 +27,7 @@ PLUGINS = {
     "mrta_l_alliance",
     "mtrp_allocators",
     "nearest_robot",
+    "parquet_tables",
     "team_measures",
 }
 ARCHITECTURES = {"mrta_alliance", "mrta_baselines", "mrta_demir_cf", "mrta_l_alliance", "nearest_robot"}

@@ -1,0 +1,16 @@
+"""The hook: exporter ``mcap``."""
+
+from __future__ import annotations
+
+from typing import Mapping
+
+from mcap_recordings.exporter import McapExporter
+from rqt_mrta_py.hooks import ExporterFactory, hookimpl
+
+__all__ = ["mrta_register_exporters"]
+
+
+@hookimpl
+def mrta_register_exporters() -> Mapping[str, ExporterFactory]:
+    """Name the exporter."""
+    return {"mcap": McapExporter}
