@@ -22,10 +22,10 @@ EXTRAS["all"] = [requirement for name in sorted(EXTRAS) for requirement in EXTRA
 # Large, and wanted by few: decisions of thousands of robots, compiled (the last version for Python 3.8 is 0.58), and
 # what routes of the multiple travelling robot problem are measured against.
 EXTRAS["compiled"] = ["numba>=0.56,<1"]
+EXTRAS["references"] = ["ortools>=9.8,<10", "pyvrp>=0.14,<0.15; python_version >= '3.11'"]
 # Formats of other programs: MCAP files, Parquet tables.
 EXTRAS["mcap"] = ["mcap>=1.1,<2"]
 EXTRAS["parquet"] = ["pyarrow>=12,<30"]
-EXTRAS["references"] = ["ortools>=9.8,<10", "pyvrp>=0.14,<0.15; python_version >= '3.11'"]
 EXTRAS["test"] = [
     *EXTRAS["compiled"],
     *EXTRAS["mcap"],
