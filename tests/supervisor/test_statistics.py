@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Optional
 
 import pytest
@@ -67,6 +68,9 @@ def record(start: Optional[float] = 100.0, end: Optional[float] = 120.0, empty: 
     [
         ("utilisation", {"robot1": 14.0 / 20.0, "robot2": 0.0}),
         ("availability", {"robot1": 18.0 / 20.0, "robot2": 0.0}),
+        # robot1 works for 14 s, robot2 never: 14^2 / (2 * 14^2).
+        ("fairness", 0.5),
+        ("makespan", None),
         # patrol is held from 102 to 114 and from 118 to 120, partly by two robots.
         ("coverage", {"patrol": 14.0 / 20.0, "inspect": 1.0 / 20.0, "report": 0.0}),
         (
@@ -94,12 +98,33 @@ def test_share_of_a_mission_without_length_is_unknown(name: str) -> None:
         ("utilisation", {}),
         ("availability", {}),
         ("coverage", {}),
+        ("fairness", None),
+        ("makespan", None),
         ("reallocations", 0),
         ("time_to_first_allocation", {}),
     ],
 )
 def test_statistic_of_nothing_is_empty(name: str, value: object) -> None:
     assert STATISTICS[name](record(None, None, empty=True)) == value
+
+
+def test_work_spread_evenly_is_fair() -> None:
+    busy = (RobotInterval(RobotState.BUSY, 100.0, 107.0),)
+    robots = (RobotRecord("robot1", busy), RobotRecord("robot2", busy), RobotRecord("robot3", busy))
+    assert STATISTICS["fairness"](replace(record(), robots=robots)) == pytest.approx(1.0)
+
+
+def test_makespan_is_told_once_every_task_is_over() -> None:
+    tasks = tuple(
+        TaskRecord(name, (TaskInterval(TaskState.WAITING, 100.0, end), TaskInterval(state, end, 120.0)))
+        for name, state, end in (
+            ("patrol", TaskState.DONE, 112.0),
+            ("inspect", TaskState.DONE, 109.0),
+            ("report", TaskState.WITHDRAWN, 118.0),
+        )
+    )
+    assert STATISTICS["makespan"](replace(record(), tasks=tasks)) == 12.0
+    assert STATISTICS["makespan"](replace(record(), tasks=tasks[2:])) is None
 
 
 def test_rules_and_statistics_come_through_the_hooks_that_everybody_uses() -> None:

@@ -6,7 +6,7 @@ from typing import Dict, FrozenSet, Optional
 
 from rqt_mrta_py.model import MissionRecord, RobotState
 
-__all__ = ["availability", "coverage", "utilisation"]
+__all__ = ["availability", "coverage", "fairness", "utilisation"]
 
 _HERE = frozenset({RobotState.BUSY, RobotState.IDLE})
 _WORKING = frozenset({RobotState.BUSY})
@@ -34,6 +34,24 @@ def availability(record: MissionRecord) -> Dict[str, Optional[float]]:
         By robot, from 0 to 1; None where the mission has no length.
     """
     return _share_in(record, _HERE)
+
+
+def fairness(record: MissionRecord) -> Optional[float]:
+    """Say how evenly the work was spread: Jain's index of the times for which robots were busy.
+
+    ``(sum of x)^2 / (n * sum of x^2)``: 1 if all of n robots worked equally long, 1/n if one did it all (Jain, Chiu and
+    Hawe 1984, "A quantitative measure of fairness and discrimination for resource allocation in shared computer
+    systems", section 3).
+
+    Args:
+        record: of a finished mission.
+
+    Returns:
+        From 1/n to 1; None where nobody was ever busy.
+    """
+    times = [sum(each.end - each.start for each in robot.states if each.state in _WORKING) for robot in record.robots]
+    squares = sum(time * time for time in times)
+    return sum(times) ** 2 / (len(times) * squares) if squares > 0.0 else None
 
 
 def coverage(record: MissionRecord) -> Dict[str, Optional[float]]:
