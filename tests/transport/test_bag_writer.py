@@ -37,6 +37,22 @@ def test_the_file_header_has_the_length_that_ros_gives_it(tmp_path: Path) -> Non
     assert raw[4117 + 4 : 4117 + 12] == struct.pack("<L", 4) + b"op=\x05"
 
 
+def test_how_much_was_written_is_known_without_reading_it(tmp_path: Path) -> None:
+    stream = mission()
+    with BagWriter(tmp_path / "m.bag") as writer:
+        for stamped in stream:
+            writer.write(stamped)
+    connections = list(dict.fromkeys(stamped.connection for stamped in stream))
+    spans = writer.spans()
+    assert [connection for connection, _, _, _ in spans] == connections
+    for connection, count, first, last in spans:
+        receipts = [stamped.receipt_ns for stamped in stream if stamped.connection == connection]
+        assert count == len(receipts)
+        # To a chunk, which is no longer than a second.
+        assert receipts[0] - SECOND <= first <= receipts[0]
+        assert receipts[-1] <= last <= receipts[-1] + SECOND
+
+
 def test_a_chunk_is_closed_before_its_second_is_over_once_it_has_4_mib(tmp_path: Path) -> None:
     with BagWriter(tmp_path / "m.bag", Compression.NONE) as writer:
         for stamped in big(7, 1_500_000):

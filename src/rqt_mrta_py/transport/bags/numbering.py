@@ -42,6 +42,11 @@ class Numbering:
         self._numbers: Dict[Connection, int] = {}
         self._line_ups: Dict[int, Tuple[Tuple[Connection, ...], NDArray[np.int64]]] = {}
 
+    @property
+    def connections(self) -> Tuple[Connection, ...]:
+        """Give the connections by number."""
+        return tuple(self._numbers)
+
     def find(self, connection: Connection) -> Optional[int]:
         """Give the number of a connection, or of one that equals it."""
         return self._numbers.get(connection)

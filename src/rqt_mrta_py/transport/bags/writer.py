@@ -13,7 +13,7 @@ from contextlib import suppress
 from itertools import repeat
 from pathlib import Path
 from types import TracebackType
-from typing import List, NamedTuple, Optional, Type
+from typing import List, NamedTuple, Optional, Tuple, Type
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,11 +58,17 @@ _u32 = struct.Struct("<I").pack
 
 
 class _Written(NamedTuple):
-    """What stands in the file: its last chunk's info, where it ends, how many connections it describes."""
+    """What stands in the file: its last chunk's info, where it ends, how many connections it describes.
+
+    Of the chunk besides: receipt of its first and last message [ns], and what at its end counts messages [bytes].
+    """
 
     info: bytes
     end: int
     described: int
+    start_ns: int = 0
+    end_ns: int = 0
+    counts: int = 0
 
 
 class BagWriter:
@@ -178,11 +184,31 @@ class BagWriter:
             position = self._written[-1].end
             end = self._put(position, b"".join((head, _u32(len(data)), data, chunk.indexes)))
             info = chunk_info(position, chunk.start_ns, chunk.end_ns, chunk.counts)
-            self._written.append(_Written(info, end, chunk.described))
+            written = _Written(info, end, chunk.described, chunk.start_ns, chunk.end_ns, len(chunk.counts))
+            self._written.append(written)
         finally:
             # After an interrupt the bag goes on: a chunk counts as written, or its messages wait on.
             if len(self._written) > known:
                 self._pending, self._singles, self._chunk_bytes = fresh, fresh.singles, 0
+
+    def spans(self) -> Tuple[Tuple[Connection, int, int, int], ...]:
+        """Say how much stands in the file, without reading it.
+
+        Returns:
+            Connections that have any messages in the order of the bag, each with their number, and with the receipt of
+            the first and last message of the first and last chunk that has one of them [ns].
+        """
+        connections = self._numbering.connections
+        totals = np.zeros((3, len(connections)), np.int64)
+        counts, first, last = totals
+        for written in self._written[1:]:
+            pairs = np.frombuffer(written.info[len(written.info) - written.counts :], "<u4").reshape(-1, 2)
+            numbers = pairs[:, 0]
+            first[numbers[counts[numbers] == 0]] = written.start_ns
+            last[numbers] = written.end_ns
+            counts[numbers] += pairs[:, 1]
+        found = zip(connections, *totals.tolist())
+        return tuple(span for span in found if span[1])
 
     def close(self) -> None:
         """Write the index and give the bag its name; safe to call twice.
