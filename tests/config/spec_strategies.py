@@ -23,6 +23,8 @@ from rqt_mrta_py.model import (
     RobotType,
     TaskType,
     Taxonomy,
+    TopicCondition,
+    TopicJoin,
 )
 
 __all__ = ["applications", "architectures"]
@@ -61,13 +63,24 @@ def _unique(values: st.SearchStrategy[_T], by: Callable[[_T], Any], most: int = 
 
 
 def _topic(
-    name: str, kind: Tuple[str, str], parts: Dict[str, str], numbers: Tuple[int, float, float]
+    name: str, kind: Tuple[str, str], parts: Dict[str, Any], numbers: Tuple[int, float, float]
 ) -> MonitoredTopic:
     return MonitoredTopic(name, "/".join(kind), **parts, queue_size=numbers[0], timeout=numbers[1], horizon=numbers[2])
 
 
 _numbers = st.tuples(st.integers(0, 999_999_999), seconds, seconds)
-_optional = {"robot_field": fields, "task_field": fields}
+_optional = {
+    "robot_field": fields,
+    "task_field": fields,
+    "join": st.builds(
+        TopicJoin,
+        st.one_of(plain_topics, st.sampled_from(TOLD)),
+        st.builds("{}/{}".format, segments, segments),
+        fields,
+        fields,
+    ),
+    "condition": st.builds(TopicCondition, fields, some_words),
+}
 topics = st.one_of(
     st.builds(
         _topic,

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
+import pytest
+
 from rqt_mrta_py.config.xml.architecture import read_architecture
+from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.model import (
     AllocationType,
     ArrayTemplate,
@@ -18,6 +22,8 @@ from rqt_mrta_py.model import (
     ParameterType,
     RobotType,
     TaskType,
+    TopicCondition,
+    TopicJoin,
 )
 
 MINIMAL = "<rqt_mrta><architecture><name>A</name>{}</architecture>{}</rqt_mrta>"
@@ -143,6 +149,49 @@ def test_architecture_reads_our_additions_to_the_grammar() -> None:
         assert getattr(spec, kind) == (
             MonitoredTopic("/@robot_id@/job/@task_id@", "p/M", "", robot_field="robot", task_field="task/id"),
         )
+
+
+def test_architecture_reads_what_stands_for_a_task_and_which_messages_count() -> None:
+    join = "<name>/news</name><type>p/Offer</type><field>id</field><task_field>task/id</task_field>"
+    topic = (
+        "<name>/closed</name><type>p/M</type><field>auction</field>"
+        f"<join>{join}</join><when><field>status</field><value> 1 </value></when>"
+    )
+
+    (found,) = read_architecture(with_topic("allocated_tasks", "allocations", topic), "a.xml", "a").allocated_tasks
+
+    assert found.join == TopicJoin("/news", "p/Offer", "id", "task/id")
+    assert found.condition == TopicCondition("status", "1")
+
+
+@pytest.mark.parametrize(
+    ("inner", "problem"),
+    [
+        ("<join><name>/n</name><type>p/M</type><field>id</field></join>", "join/task_field: is missing or empty"),
+        ("<join><type>p/M</type><field>id</field><task_field>t</task_field></join>", "join/name: is missing or empty"),
+        (
+            "<join><name>n</name><type>p/M</type><field>id</field><task_field>t</task_field></join>",
+            "join/name: must be an absolute topic (got 'n')",
+        ),
+        (
+            "<join><name>/n</name><type>M</type><field>id</field><task_field>t</task_field></join>",
+            "join/type: must be a message type (got 'M')",
+        ),
+        (
+            "<join><name>/n</name><type>p/M</type><field>i.d</field><task_field>t</task_field></join>",
+            "join/field: must be a path of fields joined by / (got 'i.d')",
+        ),
+        ("<when><field>status</field></when>", "when/value: is missing or empty"),
+        ("<when><value>1</value></when>", "when/field: is missing or empty"),
+        ("<when><field>a b</field><value>1</value></when>", "when/field: must be a path of fields"),
+        ("<when><field>a</field><value>1</value></when><when><field>b</field></when>", "when: stands twice"),
+    ],
+)
+def test_architecture_says_what_is_wrong_with_a_join_or_a_condition(inner: str, problem: str) -> None:
+    topic = f"<name>/closed</name><type>p/M</type><field>auction</field>{inner}"
+
+    with pytest.raises(ConfigError, match=re.escape(f"architecture/allocations/allocated_tasks/topic/{problem}")):
+        read_architecture(with_topic("allocated_tasks", "allocations", topic), "a.xml", "a")
 
 
 def test_architecture_takes_several_topics_of_one_kind() -> None:

@@ -30,7 +30,14 @@ PLUGINS = {
     "parquet_tables",
     "team_measures",
 }
-ARCHITECTURES = {"mrta_alliance", "mrta_baselines", "mrta_demir_cf", "mrta_l_alliance", "nearest_robot"}
+ARCHITECTURES = {
+    "mrta_alliance",
+    "mrta_baselines",
+    "mrta_demir_cf",
+    "mrta_l_alliance",
+    "nearest_robot",
+    "talmech_auction",
+}
 PROGRAMS = {"mrta", "recorder", "review", "robot_agent", "simulation", "supervisor"}
 COMPLETE = """\
 source /usr/share/bash-completion/completions/rosbash

@@ -114,7 +114,14 @@ def test_ros_tools_find_the_wheels_packages(installed: Environment, tmp_path: Pa
     listed = run(["rospack", "plugins", "--attrib=architecture", "rqt_mrta_py"], tmp_path, **place)
     assert set(listed.splitlines()) == {
         f"{name} {share}/{name}/rqt_mrta.xml"
-        for name in ("mrta_alliance", "mrta_baselines", "mrta_demir_cf", "mrta_l_alliance", "nearest_robot")
+        for name in (
+            "mrta_alliance",
+            "mrta_baselines",
+            "mrta_demir_cf",
+            "mrta_l_alliance",
+            "nearest_robot",
+            "talmech_auction",
+        )
     }
     assert run(["rospack", "find", "rqt_mrta"], tmp_path, **place) == f"{share}/rqt_mrta_py/stubs/rqt_mrta\n"
     assert run(["rosrun", "rqt_mrta_py", "mrta", "--version"], tmp_path, **place) == "rqt_mrta_py 0.1.0\n"

@@ -14,6 +14,8 @@ from rqt_mrta_py.model.architecture import (
     LaunchArgument,
     LaunchTemplate,
     MonitoredTopic,
+    TopicCondition,
+    TopicJoin,
 )
 from rqt_mrta_py.model.communication import CommunicationGraph, Flow, TopicTraffic
 from rqt_mrta_py.model.geometry import Pose, Twist, wrap_angle
@@ -109,6 +111,8 @@ __all__ = [
     "Taxonomy",
     "TemplateItem",
     "Tolerance",
+    "TopicCondition",
+    "TopicJoin",
     "TopicTraffic",
     "Twist",
     "Worse",

@@ -8,7 +8,45 @@ from typing import Optional, Tuple
 from rqt_mrta_py.model.parameters import ConfigTemplate
 from rqt_mrta_py.model.taxonomy import Taxonomy
 
-__all__ = ["ArchitectureSpec", "IncludeSpec", "LaunchArgument", "LaunchTemplate", "MonitoredTopic"]
+__all__ = [
+    "ArchitectureSpec",
+    "IncludeSpec",
+    "LaunchArgument",
+    "LaunchTemplate",
+    "MonitoredTopic",
+    "TopicCondition",
+    "TopicJoin",
+]
+
+
+@dataclass(frozen=True)
+class TopicJoin:
+    """Another topic that says for which task something else stands, such as an auction.
+
+    Attributes:
+        name: absolute topic; ``@robot_id@`` and ``@task_id@`` in it stand for any name.
+        type: ``pkg/Msg``.
+        field: path of the id of what stands for a task.
+        task_field: path of the id of that task.
+    """
+
+    name: str
+    type: str
+    field: str
+    task_field: str
+
+
+@dataclass(frozen=True)
+class TopicCondition:
+    """What a message must say to count.
+
+    Attributes:
+        field: path of a string, a whole number or a bool.
+        value: as text; of a bool ``true`` or ``false``.
+    """
+
+    field: str
+    value: str
 
 
 @dataclass(frozen=True)
@@ -24,6 +62,8 @@ class MonitoredTopic:
         queue_size: messages that a subscriber keeps; 0 is unbounded.
         timeout: how long one message keeps the state fresh [s].
         horizon: history window [s].
+        join: tells the task where the id in the task's place is of something else; None if it is the task's.
+        condition: only messages that meet it count; None if all do.
     """
 
     name: str
@@ -34,6 +74,8 @@ class MonitoredTopic:
     queue_size: int = 0
     timeout: float = 2.0
     horizon: float = 5.0
+    join: Optional[TopicJoin] = None
+    condition: Optional[TopicCondition] = None
 
 
 @dataclass(frozen=True)
@@ -96,3 +138,15 @@ class ArchitectureSpec:
     configs: Tuple[ConfigTemplate, ...] = ()
     launches: Tuple[LaunchTemplate, ...] = ()
     widgets: Tuple[str, ...] = ()
+
+    @property
+    def monitored_topics(self) -> Tuple[MonitoredTopic, ...]:
+        """All topics that are declared, whatever they tell."""
+        return (
+            *self.busy_robots,
+            *self.idle_robots,
+            *self.incoming_tasks,
+            *self.allocated_tasks,
+            *self.completed_tasks,
+            *self.failed_tasks,
+        )

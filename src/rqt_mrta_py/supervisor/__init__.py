@@ -3,7 +3,7 @@
 * ``supervisor``: hears the stream, drives the rest, gives records and messages; the place to begin
 * ``sightings``: that messages came, ``presence``: whose they are, ``message_key``: what points at one
 * ``ears``: what to hear, and what the team is told for it; ``statements``: what follows from what is stated
-* ``topics``, ``readers``: which topics an architecture has, how their messages tell robots and tasks
+* ``topics``, ``readers``, ``joins``, ``values``: which topics an architecture has, how their messages tell robots and tasks
 * ``team``: derives facts; ``robots``, ``tasks``, ``allocations`` keep one thing each, ``timeline`` their histories
 * ``standing``: how a team stands, as another supervisor tells whoever comes late
 * ``agenda``: what falls due when; ``copies``: a team that looks ahead without moving on

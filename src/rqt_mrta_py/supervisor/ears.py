@@ -15,13 +15,16 @@ from rqt_mrta_py.hooks import (
 )
 from rqt_mrta_py.model import Progress, RobotState, normalise_id
 from rqt_mrta_py.supervisor.failures import checked, failure
+from rqt_mrta_py.supervisor.joins import JoinTable
 from rqt_mrta_py.supervisor.message_key import MessageKey, key_of
 from rqt_mrta_py.supervisor.presence import Presence
-from rqt_mrta_py.supervisor.readers import STAMP, TopicReader, text_of
+from rqt_mrta_py.supervisor.readers import TopicReader
 from rqt_mrta_py.supervisor.sightings import Sightings
 from rqt_mrta_py.supervisor.statements import Report, Statements
 from rqt_mrta_py.supervisor.team import Team
 from rqt_mrta_py.supervisor.topics import Topics
+from rqt_mrta_py.supervisor.values import STAMP, text_of
+from rqt_mrta_py.wording import shown
 
 __all__ = ["Callback", "Ears"]
 
@@ -67,12 +70,13 @@ class Ears:
     def listeners(self) -> List[Tuple[Subscription, Callback]]:
         """Say what to hear, and who hears it, in the order in which one message shall be taken in."""
         topics = self._topics
-        pairs = [(reader.subscription(), self._hears_busy(reader)) for reader in topics.busy]
-        pairs += [(reader.subscription(), self._hears_idle(reader)) for reader in topics.idle]
-        pairs += [(reader.subscription(), self._hears_incoming(reader)) for reader in topics.incoming]
-        pairs += [(reader.subscription(), self._hears_allocated(reader)) for reader in topics.allocated]
-        pairs += [(reader.subscription(), self._hears_end(reader, Progress.DONE)) for reader in topics.completed]
-        pairs += [(reader.subscription(), self._hears_end(reader, Progress.FAILED)) for reader in topics.failed]
+        pairs = [(table.subscription(), self._hears_join(table)) for table in topics.tables]
+        pairs += [self._reads(reader, self._hears_busy(reader)) for reader in topics.busy]
+        pairs += [self._reads(reader, self._hears_idle(reader)) for reader in topics.idle]
+        pairs += [self._reads(reader, self._hears_incoming(reader)) for reader in topics.incoming]
+        pairs += [self._reads(reader, self._hears_allocated(reader)) for reader in topics.allocated]
+        pairs += [self._reads(reader, self._hears_end(reader, Progress.DONE)) for reader in topics.completed]
+        pairs += [self._reads(reader, self._hears_end(reader, Progress.FAILED)) for reader in topics.failed]
         paths = ("task_id", "robot_id", "progress", "detail", STAMP)
         pairs.append((Subscription(_PROGRESS_TOPIC, _PROGRESS_TYPE, paths), self._hear_progress))
         return pairs
@@ -107,6 +111,32 @@ class Ears:
             return [(checked("a wish", wish, Subscription), hear) for wish in interpreter.subscriptions()]
         except Exception as error:
             raise failure(who, error, "subscribing") from error
+
+    def _hears_join(self, table: JoinTable) -> Callback:
+        def hear(heard: Heard) -> None:
+            self._enter(key_of(heard))
+            table.hear(heard)
+
+        return hear
+
+    def _reads(self, reader: TopicReader, hear: Callback) -> Tuple[Subscription, Callback]:
+        """Say what a reader wants and who hears it: only what counts, and not without a word what stands for no task."""
+        topic, table = reader.topic, reader.table
+        if topic.condition is None and table is None:
+            return reader.subscription(), hear
+
+        def attend(heard: Heard) -> None:
+            self._enter(key_of(heard))
+            if not reader.counts(heard):
+                return
+            key = reader.key_of(heard)
+            if table is not None and key and not table.find(key):
+                self._report(
+                    heard, f"{shown(key)} stands for no task: nothing on {table.join.name} has named it before"
+                )
+            hear(heard)
+
+        return reader.subscription(), attend
 
     def _hears_busy(self, reader: TopicReader) -> Callback:
         # A busy message that names the task allocates it, unless its topic is listed for that by itself.

@@ -3,28 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Iterator, Mapping, Sequence, Tuple
+from typing import Iterator, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import Heard, Subscription
-from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN, ArchitectureSpec, MonitoredTopic, normalise_id
+from rqt_mrta_py.model import (
+    ROBOT_TOKEN,
+    TASK_TOKEN,
+    ArchitectureSpec,
+    MonitoredTopic,
+    TopicJoin,
+    normalise_id,
+)
+from rqt_mrta_py.supervisor.joins import JoinTable
+from rqt_mrta_py.supervisor.values import STAMP, meets, text_of
 
-__all__ = ["STAMP", "TopicReader", "allocation_readers", "robot_readers", "stamp_of", "task_readers", "text_of"]
+__all__ = ["Joins", "TopicReader", "allocation_readers", "robot_readers", "task_readers"]
 
-STAMP = "header/stamp"
-
-
-def text_of(fields: Mapping[str, Any], path: str) -> str:
-    """Read an id: a text as it stands, a whole number as its digits; empty if it is anything else or not there."""
-    value = fields.get(path, "") if path else ""
-    if isinstance(value, str):
-        return value
-    return str(value) if isinstance(value, int) and not isinstance(value, bool) else ""
-
-
-def stamp_of(heard: Heard) -> float:
-    """Read a message's header stamp [s]; 0 if it has none or its subscriber did not ask for it."""
-    value = heard.fields.get(STAMP, 0.0)
-    return float(value) if isinstance(value, (int, float)) else 0.0
+Joins = Mapping[TopicJoin, JoinTable]
 
 
 @dataclass(frozen=True)
@@ -36,12 +31,14 @@ class TopicReader:
         robot_path: field with the robot's id; empty if the name of the topic tells it, or nothing does.
         task_path: field with the task's id; empty likewise.
         stamped: whether the type is known to have a header.
+        table: says which task it is where another id stands in the task's place; None if it is the task's own.
     """
 
     topic: MonitoredTopic
     robot_path: str
     task_path: str
     stamped: bool
+    table: Optional[JoinTable] = None
 
     @property
     def timeout(self) -> float:
@@ -60,7 +57,8 @@ class TopicReader:
 
     def subscription(self) -> Subscription:
         """Ask for what is read here."""
-        paths = [self.robot_path, self.task_path, STAMP if self.stamped else ""]
+        condition = self.topic.condition
+        paths = [self.robot_path, self.task_path, STAMP if self.stamped else "", condition.field if condition else ""]
         return Subscription(self.topic.name, self.topic.type, tuple(dict.fromkeys(path for path in paths if path)))
 
     def robot_of(self, heard: Heard) -> str:
@@ -70,35 +68,56 @@ class TopicReader:
         return normalise_id(text_of(heard.fields, self.robot_path)) or heard.robot
 
     def task_of(self, heard: Heard) -> str:
-        """Read the normalised id of the task; empty if the message names none."""
+        """Read the normalised id of the task; empty if the message names none, or what stands for none so far."""
+        if self.table is not None:
+            return self.table.find(self.key_of(heard))
         if not self.task_path:
             return heard.task
         return normalise_id(text_of(heard.fields, self.task_path)) or heard.task
 
+    def key_of(self, heard: Heard) -> str:
+        """Read the id that stands in the task's place, whatever it is of; empty if there is none."""
+        return text_of(heard.fields, self.task_path) if self.task_path else heard.task
 
-def robot_readers(topics: Sequence[MonitoredTopic]) -> Tuple[TopicReader, ...]:
+    def counts(self, heard: Heard) -> bool:
+        """Tell whether a message meets the topic's condition."""
+        condition = self.topic.condition
+        return condition is None or meets(heard.fields, condition.field, condition.value)
+
+
+def robot_readers(topics: Sequence[MonitoredTopic], joins: Joins) -> Tuple[TopicReader, ...]:
     """Make readers of busy or idle topics; those that cannot tell a robot are left out."""
     return tuple(
-        TopicReader(topic, topic.field, topic.task_field, _has_header(topic.field, topic.task_field))
+        _reader(topic, topic.field, topic.task_field, joins)
         for topic in _named(topics)
         if topic.field or ROBOT_TOKEN in topic.name
     )
 
 
-def task_readers(topics: Sequence[MonitoredTopic]) -> Tuple[TopicReader, ...]:
+def task_readers(topics: Sequence[MonitoredTopic], joins: Joins) -> Tuple[TopicReader, ...]:
     """Make readers of incoming, completed or failed topics; those that cannot tell a task are left out."""
-    return tuple(_task_reader(topic, topic.robot_field) for topic in _named(topics) if _tells_task(topic))
+    return tuple(
+        _reader(topic, topic.robot_field, topic.task_field or topic.field, joins)
+        for topic in _named(topics)
+        if _tells_task(topic)
+    )
 
 
-def allocation_readers(architecture: ArchitectureSpec) -> Tuple[TopicReader, ...]:
+def allocation_readers(architecture: ArchitectureSpec, joins: Joins) -> Tuple[TopicReader, ...]:
     """Make readers of allocated topics; where a busy topic is the same topic, its field tells the robot.
 
     Args:
         architecture: declares both.
+        joins: tables of its joins.
     """
     busy = {(topic.name, topic.type): topic.field for topic in reversed(architecture.busy_robots)}
     return tuple(
-        _task_reader(topic, topic.robot_field or busy.get((topic.name, topic.type), ""))
+        _reader(
+            topic,
+            topic.robot_field or busy.get((topic.name, topic.type), ""),
+            topic.task_field or topic.field,
+            joins,
+        )
         for topic in _named(architecture.allocated_tasks)
         if _tells_task(topic)
     )
@@ -112,10 +131,6 @@ def _tells_task(topic: MonitoredTopic) -> bool:
     return bool(topic.task_field or topic.field) or TASK_TOKEN in topic.name
 
 
-def _task_reader(topic: MonitoredTopic, robot_path: str) -> TopicReader:
-    task_path = topic.task_field or topic.field
-    return TopicReader(topic, robot_path, task_path, _has_header(task_path, robot_path))
-
-
-def _has_header(*paths: str) -> bool:
-    return any(path.startswith("header/") for path in paths)
+def _reader(topic: MonitoredTopic, robot_path: str, task_path: str, joins: Joins) -> TopicReader:
+    stamped = any(path.startswith("header/") for path in (robot_path, task_path))
+    return TopicReader(topic, robot_path, task_path, stamped, None if topic.join is None else joins[topic.join])

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 from rqt_mrta_py.hooks import AllocationSign, Heard
 from rqt_mrta_py.model import Outcome, Progress, TaskState
-from rqt_mrta_py.supervisor.readers import stamp_of
 from rqt_mrta_py.supervisor.tasks import TaskWatch
 from rqt_mrta_py.supervisor.team import Team
+from rqt_mrta_py.supervisor.values import stamp_of
 
 __all__ = ["Report", "Statements"]
 

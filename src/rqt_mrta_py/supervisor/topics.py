@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import FrozenSet
 
 from rqt_mrta_py.model import ArchitectureSpec
+from rqt_mrta_py.supervisor.joins import join_tables
 from rqt_mrta_py.supervisor.readers import allocation_readers, robot_readers, task_readers
 
 __all__ = ["Topics"]
@@ -20,12 +21,14 @@ class Topics:
     """
 
     def __init__(self, architecture: ArchitectureSpec) -> None:
-        self.busy = robot_readers(architecture.busy_robots)
-        self.idle = robot_readers(architecture.idle_robots)
-        self.incoming = task_readers(architecture.incoming_tasks)
-        self.allocated = allocation_readers(architecture)
-        self.completed = task_readers(architecture.completed_tasks)
-        self.failed = task_readers(architecture.failed_tasks)
+        self.tables = join_tables(architecture.monitored_topics)
+        joins = {table.join: table for table in self.tables}
+        self.busy = robot_readers(architecture.busy_robots, joins)
+        self.idle = robot_readers(architecture.idle_robots, joins)
+        self.incoming = task_readers(architecture.incoming_tasks, joins)
+        self.allocated = allocation_readers(architecture, joins)
+        self.completed = task_readers(architecture.completed_tasks, joins)
+        self.failed = task_readers(architecture.failed_tasks, joins)
 
     @property
     def silence(self) -> float:

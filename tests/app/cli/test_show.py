@@ -236,10 +236,7 @@ def test_show_of_an_application_whose_architecture_is_missing_tells_what_its_fil
     told = command("show", "yard")
 
     assert told.status == 0
-    assert told.err == (
-        "mrta: auction: no architecture of this name is registered; accepted: mrta_alliance, mrta_baselines, "
-        "mrta_demir_cf, mrta_l_alliance, nearest_robot; packages are found on ROS_PACKAGE_PATH, or by their folder\n"
-    )
+    assert told.err == ("mrta: auction: no architecture of this name is registered; nearest is 'talmech_auction'\n")
     assert [row[0] for row in rows(told.out, "parameters: robot1_bidder")] == ["PATH", "reserve", "quiet/on"]
 
 

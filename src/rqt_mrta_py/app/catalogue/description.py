@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any, Dict, Iterator, List, Optional, Sequence
 
 from rqt_mrta_py.app.catalogue.parameter_rows import template_rows
@@ -81,6 +82,8 @@ def _topics(meaning: str, topics: Sequence[MonitoredTopic]) -> Iterator[Dict[str
             "queue_size": topic.queue_size,
             "robot_field": topic.robot_field or None,
             "task_field": topic.task_field or None,
+            "join": None if topic.join is None else dataclasses.asdict(topic.join),
+            "when": None if topic.condition is None else dataclasses.asdict(topic.condition),
             "says": _says(meaning, topic),
         }
 
@@ -93,8 +96,13 @@ def _says(meaning: str, topic: MonitoredTopic) -> str:
         told_by, beside, other = topic.field or robot, "task", topic.task_field or task
     else:
         told_by, beside, other = topic.task_field or topic.field or task, "robot", topic.robot_field or robot
-    said = _SAYS[meaning].format(f"<{told_by}>")
-    return f"{said}; {beside} <{other}>" if other else said
+    of_task = f" by {topic.join.name}" if topic.join is not None else ""
+    if beside == "task":
+        said, other = _SAYS[meaning].format(f"<{told_by}>"), f"<{other}>{of_task}" if other else ""
+    else:
+        said, other = _SAYS[meaning].format(f"<{told_by}>{of_task}"), f"<{other}>" if other else ""
+    said = f"{said}; {beside} {other}" if other else said
+    return said if topic.condition is None else f"{said}; if <{topic.condition.field}> is {topic.condition.value}"
 
 
 def _launch(launch: LaunchTemplate) -> Dict[str, Any]:

@@ -95,7 +95,8 @@ def _message_packages(subject: Subject) -> Iterator[_Use]:
     for architecture in subject.architectures:
         root = subject.root(architecture.path)
         for part in root.iterfind("architecture/*"):
-            for node in part.iterfind("*/*/type"):
-                package, slash, _ = joined(node.text).partition("/")
-                if slash and package:
-                    yield architecture.path, line_of(node), f"architecture/{part.tag}/topic/type", package
+            for place in ("type", "join/type"):
+                for node in part.iterfind(f"*/*/{place}"):
+                    package, slash, _ = joined(node.text).partition("/")
+                    if slash and package:
+                        yield architecture.path, line_of(node), f"architecture/{part.tag}/topic/{place}", package

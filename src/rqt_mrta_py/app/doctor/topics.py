@@ -2,8 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
-from typing import Dict, FrozenSet, Iterator, List, Mapping, NamedTuple, Optional, Sequence
+from typing import (
+    AbstractSet,
+    Dict,
+    FrozenSet,
+    Iterator,
+    List,
+    Mapping,
+    NamedTuple,
+    Optional,
+    Sequence,
+    Tuple,
+)
 
 from rqt_mrta_py.app.doctor.dependencies import package_problem
 from rqt_mrta_py.app.doctor.flaws import flaws_of
@@ -15,7 +27,7 @@ from rqt_mrta_py.errors import Problem, TransportError
 from rqt_mrta_py.hooks import Codec
 from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN, MonitoredTopic
 from rqt_mrta_py.transport.codec.definitions import Definition, parse_definition
-from rqt_mrta_py.wording import accepted
+from rqt_mrta_py.wording import accepted, shown
 
 __all__ = ["check_topics", "field_fault"]
 
@@ -30,6 +42,10 @@ _PARTS = ("robots", "tasks", "allocations")
 _FIELDS = ("field", "robot_field", "task_field")
 _TASK_FIELDS = ("field", "task_field")
 _NUMBERS = ("timeout", "queue_size", "horizon")
+_IDS = frozenset(("string",))
+_WHOLE = frozenset(("byte", "char", *(f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64))))
+_WORDS = {"bool": re.compile("true|false"), **dict.fromkeys(_WHOLE, re.compile("0|-?[1-9][0-9]*"))}
+_COMPARED = _IDS | _WORDS.keys()
 _NOT_OF_TIMEOUTS = ("type", "queue_size", "horizon", *_FIELDS)
 
 
@@ -79,8 +95,12 @@ def check_topics(subject: Subject) -> Iterator[Problem]:
         for topic in topics:
             if topic.name and topic.flaws.issubset(("name", "type", *_NUMBERS)):
                 _check_what_it_tells(topic)
-            if topic.type and not _is_told_of_package(subject, architecture.path, topic):
-                _check_type(topic, codec)
+            definition = None
+            if topic.type and not _is_told_of_package(subject, architecture.path, topic.type):
+                definition = _check_type(topic, codec)
+            if definition is not None:
+                _check_condition(topic, definition)
+            _check_join(subject, architecture.path, topic, codec)
         _check_one_type_each([topic for topic in topics if topic.name and topic.type])
         if not any(_is_about_timeouts_of_busy(problem.element) for problem in architecture.problems):
             _check_flicker([topic for topic in topics if topic.flaws.issubset(_NOT_OF_TIMEOUTS)])
@@ -94,20 +114,27 @@ def field_fault(definition: Definition, path: str) -> Optional[str]:
         definition: of the type.
         path: names of fields, joined by ``/``.
     """
+    return _look_up(definition, path, _IDS, "type string")[1]
+
+
+def _look_up(definition: Definition, path: str, kinds: AbstractSet[str], wanted: str) -> Tuple[str, Optional[str]]:
+    """Give the type of the field at a path; with it, why that is none of some kinds, or None if it is."""
     spec = definition.root
     steps = path.split("/")
     for depth, step in enumerate(steps):
         found = next((item for item in spec.fields if item.name == step), None)
         if found is None:
             what = f"{step!r} of {path!r}" if len(steps) > 1 else repr(step)
-            return f"{spec.name} has no field {what}; {accepted(step, [item.name for item in spec.fields])}"
+            return "", f"{spec.name} has no field {what}; {accepted(step, [item.name for item in spec.fields])}"
         kind = f"an array of {found.type}" if found.is_array else f"of type {found.type}"
         if depth + 1 == len(steps):
-            return None if kind == "of type string" else f"{path!r} is {kind}; give a field of type string"
+            fits = found.type in kinds and not found.is_array
+            return found.type, None if fits else f"{path!r} is {kind}; give a field of {wanted}"
         if found.is_array or found.is_primitive:
-            return f"{path!r} leads through {step!r}, which is {kind}; give a path that ends in a field of type string"
+            through = f"{path!r} leads through {step!r}, which is {kind}"
+            return "", f"{through}; give a path that ends in a field of {wanted}"
         spec = definition.specs[found.type]
-    return None
+    return "", None
 
 
 def _read(root: Element, wrong: Sequence[Problem]) -> List[_Topic]:
@@ -142,24 +169,69 @@ def _check_what_it_tells(topic: _Topic) -> None:
         )
 
 
-def _is_told_of_package(subject: Subject, path: Path, topic: _Topic) -> bool:
+def _is_told_of_package(subject: Subject, path: Path, type_name: str) -> bool:
     """Tell whether a type is unknown because its package is, of which other checks tell already."""
-    package = topic.type.partition("/")[0]
+    package = type_name.partition("/")[0]
     unknown = package not in subject.host.registry.packages
     return unknown and any(True for _ in package_problem(subject, package, path, 0, ""))
 
 
-def _check_type(topic: _Topic, codec: Codec) -> None:
-    """Note a type that nobody knows, or fields of it that hold no id."""
+def _check_type(topic: _Topic, codec: Codec) -> Optional[Definition]:
+    """Note a type that nobody knows, or fields of it that hold no id; give what is known of it."""
     try:
-        definition = parse_definition(topic.type, codec.connection("/topic", topic.type).definition)
+        definition = _definition(topic.type, codec)
     except TransportError as error:
         topic.problem("type", str(error))
-        return
+        return None
     for name in _FIELDS:
         fault = field_fault(definition, topic.texts[name].value) if name in topic.texts else None
         if fault is not None:
             topic.problem(name, fault)
+    return definition
+
+
+def _check_condition(topic: _Topic, definition: Definition) -> None:
+    """Note a condition that no message of a type can meet."""
+    condition = None if _has_flaw(topic, "when") else topic.element.child("when")
+    field = condition.text("field") if condition is not None else None
+    if condition is None or field is None:
+        return
+    kind, fault = _look_up(definition, field.value, _COMPARED, "type string, bool or integer")
+    if fault is not None:
+        condition.problem("field", fault, field.line)
+        return
+    value = condition.text("value")
+    if value is not None and kind in _WORDS and not _WORDS[kind].fullmatch(value.value):
+        words = "true or false" if kind == "bool" else "a whole number"
+        message = f"must be {words}, for {field.value!r} is of type {kind} (got {shown(value.value)})"
+        condition.problem("value", message, value.line)
+
+
+def _check_join(subject: Subject, path: Path, topic: _Topic, codec: Codec) -> None:
+    """Note a join of a type that nobody knows, or fields of it that hold no id."""
+    join = None if _has_flaw(topic, "join") else topic.element.child("join")
+    kind = join.text("type") if join is not None else None
+    if join is None or kind is None or _is_told_of_package(subject, path, kind.value):
+        return
+    try:
+        definition = _definition(kind.value, codec)
+    except TransportError as error:
+        join.problem("type", str(error), kind.line)
+        return
+    for name in ("field", "task_field"):
+        field = join.text(name)
+        fault = field_fault(definition, field.value) if field is not None else None
+        if field is not None and fault is not None:
+            join.problem(name, fault, field.line)
+
+
+def _has_flaw(topic: _Topic, child: str) -> bool:
+    """Tell whether something is wrong within a child."""
+    return any(flaw.partition("/")[0] == child for flaw in topic.flaws)
+
+
+def _definition(type_name: str, codec: Codec) -> Definition:
+    return parse_definition(type_name, codec.connection("/topic", type_name).definition)
 
 
 def _check_one_type_each(topics: Sequence[_Topic]) -> None:

@@ -13,9 +13,38 @@ __all__ = ["ARCHITECTURE_FILE"]
 
 _SUPERVISOR = "supervisor"
 
+_JOIN = ElementForm(
+    "join",
+    "Another topic that says for which task stands what is named in the task's place, for instance an auction: its "
+    "newest message with that id does.",
+    ours=True,
+    children=(
+        ElementForm(
+            "name",
+            "Name of that topic; `@robot_id@` and `@task_id@` in it stand for any.",
+            Content.TOPIC,
+            _SUPERVISOR,
+            required=True,
+        ),
+        ElementForm("type", "Type of its messages.", Content.MESSAGE_TYPE, _SUPERVISOR, required=True),
+        ElementForm("field", "Field with the id of what stands for a task.", Content.FIELD, _SUPERVISOR, required=True),
+        ElementForm("task_field", "Field with that task's id.", Content.FIELD, _SUPERVISOR, required=True),
+    ),
+)
+
+_WHEN = ElementForm(
+    "when",
+    "Only messages in which a field has a value count; the others are passed over.",
+    ours=True,
+    children=(
+        ElementForm("field", "Field of a whole number, a string or a bool.", Content.FIELD, _SUPERVISOR, required=True),
+        ElementForm("value", "The value, of a bool `true` or `false`.", Content.TEXT, _SUPERVISOR, required=True),
+    ),
+)
+
 _TOPIC = ElementForm(
     "topic",
-    "A topic; it is passed over where neither name, type nor any field says anything.",
+    "A topic; it is passed over where it holds nothing but numbers.",
     numbered=True,
     blank=True,
     children=(
@@ -56,6 +85,8 @@ _TOPIC = ElementForm(
             "s",
             "5.0",
         ),
+        _JOIN,
+        _WHEN,
     ),
 )
 

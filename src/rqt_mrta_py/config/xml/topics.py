@@ -6,13 +6,13 @@ import re
 from typing import List, Optional, Tuple
 
 from rqt_mrta_py.config.xml.element import Element
-from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN, MonitoredTopic, is_legal_name
+from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN, MonitoredTopic, TopicCondition, TopicJoin, is_legal_name
 from rqt_mrta_py.wording import shown
 
 __all__ = ["read_topics"]
 
 _TOKENS = (ROBOT_TOKEN, TASK_TOKEN)
-_TELLING = ("name", "type", "field", "robot_field", "task_field")
+_TELLING = ("name", "type", "field", "robot_field", "task_field", "join", "when")
 _TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*\Z", re.ASCII)
 _FIELD = re.compile(r"[A-Za-z]\w*(/[A-Za-z]\w*)*\Z", re.ASCII)
 
@@ -49,27 +49,62 @@ def _read_topic(element: Element) -> Optional[MonitoredTopic]:
         queue_size=element.whole("queue_size", 0),
         timeout=element.seconds("timeout", 2.0),
         horizon=element.seconds("horizon", 5.0),
+        join=_read_join(element),
+        condition=_read_condition(element),
     )
     element.finish()
     _check(topic, element)
     return topic
 
 
+def _read_join(parent: Element) -> Optional[TopicJoin]:
+    element = parent.child("join")
+    if element is None:
+        return None
+    join = TopicJoin(*(element.required(name) for name in ("name", "type", "field", "task_field")))
+    element.finish()
+    _check_name(join.name, element)
+    _check_type(join.type, element)
+    _check_fields(element, field=join.field, task_field=join.task_field)
+    return join
+
+
+def _read_condition(parent: Element) -> Optional[TopicCondition]:
+    element = parent.child("when")
+    if element is None:
+        return None
+    condition = TopicCondition(element.required("field"), element.required("value"))
+    element.finish()
+    _check_fields(element, field=condition.field)
+    return condition
+
+
 def _check(topic: MonitoredTopic, element: Element) -> None:
-    tokens = [token for token in _TOKENS if token in topic.name]
-    plain = topic.name
-    for token in tokens:
+    _check_name(topic.name, element)
+    _check_type(topic.type, element)
+    _check_fields(element, field=topic.field, robot_field=topic.robot_field, task_field=topic.task_field)
+    if not (topic.field or any(token in topic.name for token in _TOKENS)):
+        element.problem("field", f"is missing; give the field with the id, or {' or '.join(_TOKENS)} in the name")
+
+
+def _check_name(name: str, element: Element) -> None:
+    plain = name
+    for token in _TOKENS:
         plain = plain.replace(token, "x")
-    if topic.name and not (plain.startswith("/") and is_legal_name(plain)):
+    if name and not (plain.startswith("/") and is_legal_name(plain)):
         element.problem(
             "name",
-            f"must be an absolute topic (got {shown(topic.name)}); begin with /, then letters, digits, _ and /, "
+            f"must be an absolute topic (got {shown(name)}); begin with /, then letters, digits, _ and /, "
             f"or {' and '.join(_TOKENS)} for the name of a robot or task",
         )
-    if topic.type and not _TYPE.match(topic.type):
-        element.problem("type", f"must be a message type (got {shown(topic.type)}), such as std_msgs/String")
-    for name, field in (("field", topic.field), ("robot_field", topic.robot_field), ("task_field", topic.task_field)):
-        if field and not _FIELD.match(field):
-            element.problem(name, f"must be a path of fields joined by / (got {shown(field)}), such as header/frame_id")
-    if not (topic.field or tokens):
-        element.problem("field", f"is missing; give the field with the id, or {' or '.join(_TOKENS)} in the name")
+
+
+def _check_type(type_name: str, element: Element) -> None:
+    if type_name and not _TYPE.match(type_name):
+        element.problem("type", f"must be a message type (got {shown(type_name)}), such as std_msgs/String")
+
+
+def _check_fields(element: Element, **paths: str) -> None:
+    for name, path in paths.items():
+        if path and not _FIELD.match(path):
+            element.problem(name, f"must be a path of fields joined by / (got {shown(path)}), such as header/frame_id")

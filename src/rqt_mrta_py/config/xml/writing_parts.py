@@ -55,6 +55,14 @@ def _write_topic(branch: Branch, topic: MonitoredTopic) -> None:
     branch.leaf("queue_size", str(topic.queue_size))
     branch.leaf("timeout", repr(float(topic.timeout)))
     branch.leaf("horizon", repr(float(topic.horizon)))
+    if topic.join is not None:
+        inner = branch.inner("join")
+        for name in ("name", "type", "field", "task_field"):
+            inner.leaf(name, getattr(topic.join, name))
+    if topic.condition is not None:
+        inner = branch.inner("when")
+        inner.leaf("field", topic.condition.field)
+        inner.leaf("value", topic.condition.value)
 
 
 def _write_config(branch: Branch, config: ConfigTemplate) -> None:
