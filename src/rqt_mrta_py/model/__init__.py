@@ -2,7 +2,7 @@
 
 * ``ids``, ``names``, ``geometry``, ``taxonomy``, ``states``: small vocabularies
 * ``task``, ``application``, ``architecture``, ``parameters``, ``scenario``, ``mission``: what is asked for
-* ``record``, ``communication``: what was observed; ``tolerance``: how much worse another mission may be
+* ``record``, ``communication``, ``timing``: what was observed; ``tolerance``: how much worse another mission may be
 """
 
 from __future__ import annotations

@@ -15,6 +15,7 @@ from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.mission_message import MISSION_TOPIC
 from rqt_mrta_py.app.mission_source import named_mission, silent_about_itself, told_mission
 from rqt_mrta_py.app.observation import Observation
+from rqt_mrta_py.app.outputs.clocks import write_clocks
 from rqt_mrta_py.app.outputs.communication import write_communication
 from rqt_mrta_py.app.outputs.exports import exporters_for, write_exports
 from rqt_mrta_py.app.outputs.figures import figure_makers_for, figures_of, write_figures
@@ -26,6 +27,7 @@ from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch, write_resu
 from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.hooks import Codec, Listener, Renderer
 from rqt_mrta_py.model import Mission
+from rqt_mrta_py.supervisor.clocks import Timings
 from rqt_mrta_py.transport import read_bag, read_bag_info
 
 __all__ = ["ReviewRequest", "review_bag"]
@@ -99,11 +101,13 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
             stack.callback(files.close)
             pictures = _Pictures(host.renderer("monitor"), files, _period_ns(mission, period))
         heard_ns = start_ns
+        timings = Timings()
         for stamped in read_bag(request.bag):
             with patience.at_work(f"the review at {(stamped.receipt_ns - start_ns) / _NS:g} s"):
                 if pictures is not None:
                     pictures.until(stamped.receipt_ns, observation)
                 observation.feed(stamped)
+            timings.take(*stamped)
             heard_ns = stamped.receipt_ns
             progress((heard_ns - start_ns) / _NS, length)
             if interrupt.requested:
@@ -122,6 +126,7 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
         stream = partial(with_news, heard, said, codec, info.topics)
         write_message_exports(folder, exporters, results.record, stream, patience)
         write_communication(folder, info, results.record, picture=pictures is not None)
+        write_clocks(folder, timings.table([robot.id for robot in results.record.robots]))
         return stopwatch.result(folder, results, interrupt)
 
 

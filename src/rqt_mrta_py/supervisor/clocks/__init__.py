@@ -4,10 +4,13 @@
 * ``pulses``: that a robot speaks regularly on a topic, and that it does so no more
 * ``timekeeper``: hears monitored topics and tells the rules of both
 * ``stamped_off``: what the rules on stamps share; ``words``: spans of time for sentences
+* ``table``: what all connections of a recording tell; ``ledger``: what one does, ``samples``: what is kept for it
+* ``estimate``: numbers that a few odd messages do not upset
 """
 
 from __future__ import annotations
 
+from rqt_mrta_py.supervisor.clocks.table import Timings, timing_document
 from rqt_mrta_py.supervisor.clocks.timekeeper import Timekeeper
 
-__all__ = ["Timekeeper"]
+__all__ = ["Timekeeper", "Timings", "timing_document"]
