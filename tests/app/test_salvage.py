@@ -11,7 +11,7 @@ import sys
 import time
 import tracemalloc
 from pathlib import Path
-from typing import Any, List, Tuple
+from typing import Any, List, Optional, Tuple
 
 import pytest
 from hypothesis import given, settings
@@ -134,6 +134,71 @@ def test_a_range_of_zeros_costs_the_chunk_or_the_messages_that_it_covers(
     assert end <= report.faults[0].position + report.lost <= len(content)
 
 
+def lost(report: SalvageReport) -> List[Tuple[str, int, Optional[int]]]:
+    return [(each.topic, each.messages, each.lost) for each in report.topics]
+
+
+@pytest.mark.parametrize("compression", COMPRESSIONS)
+def test_what_was_lost_of_each_topic_is_told_where_the_index_stands(tmp_path: Path, compression: Compression) -> None:
+    """Half of the bag is overwritten, but for the first chunk; 20 messages of each connection were recorded."""
+    content = bytearray(recorded(tmp_path / "m.bag", compression))
+    chunks = [place for place in range(len(content)) if content.startswith(b"\x04\0\0\0op=\x05", place)]
+    content[chunks[1] : chunks[6]] = bytes(chunks[6] - chunks[1])
+    report, found = salvaged(tmp_path / "m.bag", bytes(content))
+
+    assert report.counted
+    of_a = sum(stamped.connection.topic == "/a" for stamped in found)
+    assert 0 < of_a < 40
+    assert lost(report) == [("/a", of_a, 40 - of_a), ("/b", len(found) - of_a, 20 - len(found) + of_a)]
+
+
+def test_a_topic_of_which_nothing_was_saved_is_told_of(tmp_path: Path) -> None:
+    with BagWriter(tmp_path / "m.bag", Compression.LZ4) as writer:
+        for second in range(1, 4):
+            writer.write(Stamped(CONNECTIONS[0 if second == 2 else 2], second * SECOND, b"\0" * 40))
+    content = bytearray((tmp_path / "m.bag").read_bytes())
+    begin, end = [place for place in range(len(content)) if content.startswith(b"op=\x05", place)][1:3]
+    content[begin + 60 : begin + 90] = bytes(30)
+    assert begin + 90 < end
+    report, _ = salvaged(tmp_path / "m.bag", bytes(content))
+
+    assert lost(report) == [("/a", 0, 1), ("/b", 2, 0)]
+
+
+def test_without_the_bags_own_index_those_behind_the_chunks_tell_the_least(tmp_path: Path) -> None:
+    """What stands behind a chunk that cannot be unpacked says how much it held."""
+    whole = recorded(tmp_path / "m.bag")
+    content = bytearray(whole[: index_begins(whole)])
+    second = [place for place in range(len(content)) if content.startswith(b"op=\x05", place)][1]
+    content[second + 60 : second + 90] = bytes(30)
+    report, found = salvaged(tmp_path / "m.bag", bytes(content))
+
+    assert found == stream()[:6] + stream()[12:]
+    assert not report.counted
+    assert lost(report) == [("/a", 36, 4), ("/b", 18, 2)]
+
+
+def test_where_no_index_tells_anything_nobody_knows_what_was_lost(tmp_path: Path) -> None:
+    content = recorded(tmp_path / "m.bag", Compression.NONE)
+    cut = content.index(stream()[3].raw) + 50
+    report, found = salvaged(tmp_path / "m.bag", content[:cut])
+
+    assert found == stream()[:3]
+    assert not report.counted
+    assert lost(report) == [("/a", 2, None), ("/b", 1, None)]
+
+
+def test_an_index_that_lies_does_no_harm(tmp_path: Path) -> None:
+    whole = recorded(tmp_path / "m.bag")
+    begins = index_begins(whole)
+    content = whole[:begins] + whole[begins:].replace(b"count=" + (3).to_bytes(4, "little"), b"count=\xff\xff\xff\xff")
+    report, found = salvaged(tmp_path / "m.bag", content)
+
+    assert found == stream()
+    assert not report.counted
+    assert [each.lost for each in report.topics] == [0, 0]
+
+
 def test_zeros_over_a_chunks_header_cost_nothing_behind_it(tmp_path: Path) -> None:
     content = bytearray(recorded(tmp_path / "m.bag"))
     place = content.index(b"op=\x05", content.index(b"op=\x05") + 1) - 8
@@ -228,9 +293,9 @@ def test_salvage_writes_beside_the_damaged_bag_and_says_what_it_saved(
     assert list(read_bag(tmp_path / "m-salvaged.bag")) == stream()
     assert told.err == ""
     assert told.out.splitlines() == [
-        "TOPIC  TYPE             MESSAGES  BYTES",
-        "/a     std_msgs/String  40        4000",
-        "/b     std_msgs/String  20        2000",
+        "TOPIC  TYPE             MESSAGES  BYTES  LOST",
+        "/a     std_msgs/String  40        4000   0",
+        "/b     std_msgs/String  20        2000   0",
         "",
         "saved: 60 messages, 6000 bytes, 9.8 s",
         "lost: nothing that the bag tells of",
@@ -252,11 +317,12 @@ def test_salvage_gives_its_report_as_json(tmp_path: Path, mrta: Mrta, capsys: py
         "bytes": 6000,
         "time": {"start": 1.0, "end": 10.833333333},
         "topics": [
-            {"topic": "/a", "type": "std_msgs/String", "messages": 40, "bytes": 4000},
-            {"topic": "/b", "type": "std_msgs/String", "messages": 20, "bytes": 2000},
+            {"topic": "/a", "type": "std_msgs/String", "messages": 40, "bytes": 4000, "lost": 0},
+            {"topic": "/b", "type": "std_msgs/String", "messages": 20, "bytes": 2000, "lost": 0},
         ],
         "lost": 7,
         "missing": 0,
+        "counted": False,
         "faults": [{"byte": size, "text": "the header of a record is cut off", "lost": 7, "missing": 0}],
         "untold_faults": 0,
     }

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
 from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.errors import TransportError, UsageError
@@ -34,19 +34,22 @@ class SalvageRequest:
 
 @dataclass(frozen=True)
 class SalvagedTopic:
-    """What was saved of a topic.
+    """What was saved of a topic, and what was not.
 
     Attributes:
         topic: its name.
         type: ``pkg/Msg``, of its first message.
-        messages: number of them.
+        messages: number of those saved.
         bytes: sum of their lengths.
+        lost: number of messages that the bag's indexes tell of and that were not saved; None if they tell nothing of
+            the topic. Where the bag's own index is damaged there may have been more.
     """
 
     topic: str
     type: str
     messages: int
     bytes: int
+    lost: Optional[int]
 
 
 @dataclass(frozen=True)
@@ -65,6 +68,7 @@ class SalvageReport:
         untold: number of further such places.
         lost: what was passed over: bytes of the file, or of the contents of compressed chunks.
         missing: what the file is known to lack [bytes].
+        counted: whether the bag's own index stands, so that the messages lost are all counted.
     """
 
     bag: Path
@@ -78,6 +82,7 @@ class SalvageReport:
     untold: int
     lost: int
     missing: int
+    counted: bool
 
     def as_json(self) -> Dict[str, Any]:
         """Give the report as plain values, keys in a fixed order."""
@@ -90,6 +95,7 @@ class SalvageReport:
             "topics": [dataclasses.asdict(topic) for topic in self.topics],
             "lost": self.lost,
             "missing": self.missing,
+            "counted": self.counted,
             "faults": [
                 {"byte": fault.position, "text": fault.reason, "lost": fault.lost, "missing": fault.missing}
                 for fault in self.faults
@@ -157,12 +163,26 @@ def salvage_bag(request: SalvageRequest, progress: Callable[[float, float], None
         bytes=sum(size for _, size in counts.values()),
         start=start_ns / _NS,
         end=end_ns / _NS,
-        topics=tuple(SalvagedTopic(topic, types[topic], *counts[topic]) for topic in sorted(counts)),
+        topics=_topics(counts, types, walk.promised()),
         faults=tuple(faults.told),
         untold=faults.untold,
         lost=faults.lost,
         missing=faults.missing,
+        counted=walk.index_is_whole,
     )
+
+
+def _topics(
+    counts: Mapping[str, Sequence[int]], types: Mapping[str, str], promised: Mapping[str, Tuple[str, int]]
+) -> Tuple[SalvagedTopic, ...]:
+    """Hold what was read against what the indexes tell of, topic by topic."""
+    found = []
+    for topic in sorted({*counts, *promised}):
+        messages, size = counts.get(topic, (0, 0))
+        type_name, told = promised.get(topic, ("", None))
+        lost = None if told is None else max(0, told - messages)
+        found.append(SalvagedTopic(topic, types.get(topic, type_name), messages, size, lost))
+    return tuple(found)
 
 
 def _complete(writer: BagWriter) -> None:

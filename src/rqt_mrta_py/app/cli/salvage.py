@@ -47,13 +47,18 @@ def main(options: argparse.Namespace) -> int:
 
 
 def _print(report: SalvageReport) -> None:
-    rows = [(topic.topic, topic.type, str(topic.messages), str(topic.bytes)) for topic in report.topics]
-    print_table(("TOPIC", "TYPE", "MESSAGES", "BYTES"), rows)
+    rows = [
+        (each.topic, each.type, str(each.messages), str(each.bytes), "?" if each.lost is None else str(each.lost))
+        for each in report.topics
+    ]
+    print_table(("TOPIC", "TYPE", "MESSAGES", "BYTES", "LOST"), rows)
     print(f"\nsaved: {report.messages} messages, {report.bytes} bytes, {report.end - report.start:.1f} s")
     if not report.faults:
         print("lost: nothing that the bag tells of")
     else:
         print(f"lost: {report.lost} bytes not understood, {report.missing} bytes known to be missing")
+    if report.faults and not report.counted:
+        print("  there may have been more messages than LOST tells of: the bag's own index is damaged or missing")
     for fault in report.faults[:_MOST_PRINTED]:
         print(f"  {fault} ({fault.lost} bytes not understood, {fault.missing} missing)")
     further = len(report.faults) + report.untold - min(len(report.faults), _MOST_PRINTED)

@@ -10,19 +10,21 @@ from __future__ import annotations
 import io
 import struct
 from pathlib import Path
-from typing import BinaryIO, Iterator, List, NamedTuple, Optional
+from typing import BinaryIO, Dict, Iterator, List, Mapping, NamedTuple, Optional, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Stamped
 from rqt_mrta_py.transport.bags.compression import Compression, decompress
 from rqt_mrta_py.transport.bags.connections import ConnectionTable
 from rqt_mrta_py.transport.bags.faults import BagFault, BagFaults
+from rqt_mrta_py.transport.bags.promises import Promises
 from rqt_mrta_py.transport.bags.records import (
     MAGIC,
     OP_CHUNK,
     OP_CHUNK_INFO,
     OP_CONNECTION,
     OP_FILE_HEADER,
+    OP_INDEX,
     OP_MESSAGE,
 )
 from rqt_mrta_py.transport.bags.scan import LARGEST_RECORD, Record, find_record, follows, read_record
@@ -79,6 +81,23 @@ class ChunkWalk:
         """Give what could not be read so far, in the order it was found."""
         return self.all_faults.told
 
+    @property
+    def index_is_whole(self) -> bool:
+        """Tell, once the walk is over, whether the index at the bag's end told of all its chunks."""
+        return self._promises.whole
+
+    def promised(self) -> Mapping[str, Tuple[str, int]]:
+        """Give, once the walk is over, what the bag's indexes tell of topics: type, and number of messages.
+
+        There were at least as many, if ``index_is_whole`` is false. Connections that nothing describes are left out.
+        """
+        found: Dict[str, Tuple[str, int]] = {}
+        for number, count in self._promises.counts().items():
+            connection = self._connections.find(number)
+            if connection is not None:
+                found[connection.topic] = (connection.type, found.get(connection.topic, ("", 0))[1] + count)
+        return found
+
     def __iter__(self) -> Iterator[Stamped]:
         self._forget()
         with self._opened() as file:
@@ -103,6 +122,7 @@ class ChunkWalk:
         self.compression: Optional[Compression] = None
         self.position = self.size = 0
         self._connections: ConnectionTable = ConnectionTable()
+        self._promises = Promises()
         self._index_position = 0
         self._indexed = False
 
@@ -209,7 +229,7 @@ class ChunkWalk:
         """Yield the message that a record is; take in the connection that it describes."""
         length = record.end - record.begin
         if record.op not in (OP_MESSAGE, OP_CONNECTION):
-            self._indexed = self._indexed or record.op == OP_CHUNK_INFO
+            self._take_index(stretch, record)
             return
         try:
             if length > LARGEST_RECORD:
@@ -234,13 +254,29 @@ class ChunkWalk:
             return
         yield Stamped(connection, seconds * 1_000_000_000 + nanoseconds, data)
 
+    def _take_index(self, stretch: Stretch, record: Record) -> None:
+        """Take in what an index tells, which stands in no chunk."""
+        length = record.end - record.begin
+        if stretch.chunk is not None:
+            return
+        if record.op == OP_INDEX:
+            self._promises.take_index(record.header)
+        elif record.op == OP_CHUNK_INFO:
+            self._indexed = True
+            if length <= LARGEST_RECORD:
+                stretch.file.seek(record.begin)
+                self._promises.take_chunk_info(record.header, stretch.file.read(length))
+
     def _index_begins(self, file: BinaryIO) -> int:
         """Read from the file's header where the index begins; 0 if there is none, or no header."""
         try:
             record = read_record(file, len(MAGIC), self.size)
         except (EOFError, ValueError):
             return 0
-        return int(_u64(record.header["index_pos"])[0]) if record.op == OP_FILE_HEADER else 0
+        if record.op != OP_FILE_HEADER:
+            return 0
+        self._promises.take_file_header(record.header)
+        return int(_u64(record.header["index_pos"])[0])
 
     def _judge_end(self) -> None:
         """Tell how much is missing by what the file's header says of the index, if that tells more."""
