@@ -18,7 +18,7 @@ from rqt_mrta_py.app.outputs import results
 from rqt_mrta_py.transport import read_bag_info
 from tests.app.outputs import Outputs
 
-COMPLETE = {"dashboard.png", "events.jsonl", "incidents.jsonl", "monitor", "run.log", "summary.json"}
+COMPLETE = {"dashboard.png", "events.jsonl", "incidents.jsonl", "monitor", "report.html", "run.log", "summary.json"}
 
 
 def names(folder: Path) -> Any:

@@ -62,6 +62,8 @@ def test_wheel_runs_a_mission_to_the_same_bytes_as_the_checkout(patrol: Path, tr
         assert (patrol / name).read_bytes() == (tmp_path / "here" / name).read_bytes(), name
     assert len(list((patrol / "monitor").glob("*.png"))) == 4
     assert (patrol / "dashboard.png").stat().st_size > 0
+    # Its script and style are data of the package.
+    assert "painters.arena = " in (patrol / "report.html").read_text(encoding="utf-8")
 
 
 def test_wheel_reviews_the_bag_to_the_same_summary(installed: Environment, patrol: Path, tmp_path: Path) -> None:

@@ -34,6 +34,7 @@ from rqt_mrta_py.hooks import (
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Event, Mission, MissionRecord
 from rqt_mrta_py.render import SceneTracker
+from rqt_mrta_py.render.report import fine_panel
 from rqt_mrta_py.supervisor import Supervisor, team_news
 from rqt_mrta_py.transport import Batch, Dispatcher
 from rqt_mrta_py.transport.patterns import TopicPattern
@@ -179,6 +180,17 @@ class Observation:
     def dashboard_view(self, record: MissionRecord) -> MonitorView:
         """Give what the picture of a finished mission shows."""
         return self._view(record.end or 0.0, record, record.start or 0.0, whole=True)
+
+    @property
+    def scene(self) -> SceneTracker:
+        """What is known of places and ways."""
+        return self._scene
+
+    def report_view(self, record: MissionRecord) -> MonitorView:
+        """Give what the page of a finished mission shows: as for its picture, with finer curves."""
+        start, end = record.start or 0.0, record.end or 0.0
+        panels = tuple(fine_panel(panel.view, start, end) for panel in self._panels)
+        return dataclasses.replace(self._view(end, record, None, whole=True), panels=panels)
 
     def _view(self, now: float, record: MissionRecord, curves_from: Optional[float], whole: bool) -> MonitorView:
         architecture = self.mission.architecture

@@ -101,6 +101,7 @@ class Incident:
         robots, tasks: ids involved, sorted.
         text: one sentence that a tired engineer understands.
         evidence: messages that show it, oldest first.
+        causes: what usually causes what this rule finds; empty if it does not say.
     """
 
     rule: str
@@ -111,6 +112,7 @@ class Incident:
     tasks: Tuple[str, ...]
     text: str
     evidence: Tuple[Evidence, ...] = ()
+    causes: str = ""
 
 
 @dataclass(frozen=True)
@@ -125,6 +127,7 @@ class Event:
         text: one sentence.
         robot, task: ids it speaks of, None if none.
         state: the new state, outcome or rule, as written in files.
+        causes: of an incident, what usually causes it; None if nobody says.
     """
 
     time: float
@@ -134,6 +137,7 @@ class Event:
     robot: Optional[str] = None
     task: Optional[str] = None
     state: Optional[str] = None
+    causes: Optional[str] = None
 
 
 @dataclass(frozen=True)

@@ -26,8 +26,9 @@ from rqt_mrta_py.model import (
     TaskState,
     Taxonomy,
 )
+from rqt_mrta_py.model.timing import ConnectionTiming, Gap, RobotClock, SenderClock, TimingTable
 from rqt_mrta_py.render.pose_log import RobotTrack
-from rqt_mrta_py.render.report import BagFile, ClockRow, Provenance, ReportInput
+from rqt_mrta_py.render.report import BagFile, Provenance, ReportInput
 from tests.render.views import START, patrol
 
 __all__ = ["HOSTILE", "empty_mission", "hostile_mission", "usual_mission"]
@@ -58,6 +59,7 @@ def usual_mission() -> ReportInput:
         ("border_protection",),
         "robot3 fell silent while it held border_protection, last heard at 60.0 s; robot1 took over at 65.4 s",
         (Evidence("/alliance/inter_robot_communication", START + 60.0, 337),),
+        "The robot was switched off, its program died, or the radio failed.",
     )
     flips = Incident(
         "flipping_allocation",
@@ -88,8 +90,7 @@ def usual_mission() -> ReportInput:
         tracks=tuple(_track(f"robot{number}", number) for number in range(1, 6)),
         tasks=view.scene.tasks,
         communication=CommunicationGraph(flows),
-        clocks=(ClockRow("/robot1/pose", "/robot1/localiser", 900, 10.0, 0.004, 0.31, 0.0021, 0.004, 1e-6),),
-        causes={"robot_silent_with_task": "The robot was switched off, its program died, or the radio failed."},
+        clocks=TimingTable((_timing("/robot1/pose", "/robot1/localiser", "robot1"),), (_clock("robot1"),)),
         figures={"messages_per_allocation": 32.1},
     )
 
@@ -101,7 +102,8 @@ def hostile_mission() -> ReportInput:
     tasks = tuple(TaskRecord(name, (TaskInterval(TaskState.EXECUTING, 0.0, 10.0),)) for name in names)
     held = tuple(Allocation(name, name, 1.0, 9.0, Outcome.OPEN) for name in names)
     incidents = tuple(
-        Incident(name, Severity.ERROR, 1.0, 2.0, (name,), (name,), name, (Evidence(name, 1.0, 0),)) for name in names
+        Incident(name, Severity.ERROR, 1.0, 2.0, (name,), (name,), name, (Evidence(name, 1.0, 0),), name)
+        for name in names
     )
     usual = usual_mission().view
     panel = usual.panels[0]
@@ -124,8 +126,7 @@ def hostile_mission() -> ReportInput:
         tracks=tuple(_track(name, number) for number, name in enumerate(names)),
         tasks=scene.tasks,
         communication=CommunicationGraph(tuple(Flow(name, name, name, 1, 1.0) for name in sorted(names))),
-        clocks=tuple(ClockRow(name, name, 1, remark=name) for name in names),
-        causes={name: name for name in names},
+        clocks=TimingTable(tuple(_timing(name, name, name) for name in names), tuple(_clock(name) for name in names)),
         figures={"messages_per_allocation": 1.0},
     )
 
@@ -134,6 +135,17 @@ def empty_mission() -> ReportInput:
     """Nothing was heard at all."""
     record = MissionRecord(None, None, Taxonomy(), None, None, None, (), (), (), (), ())
     return ReportInput(MonitorView("", "", 0.0, record, SceneView(None, (), (), ())), Provenance("review"))
+
+
+def _clock(robot: str) -> RobotClock:
+    return RobotClock(robot, robot, robot, SenderClock(900, 0.0021, 1e-6, 0.0015, 12, 0.0004, 0.0031))
+
+
+def _timing(topic: str, caller: str, robot: str) -> ConnectionTiming:
+    gaps = (Gap(START + 20.0, START + 20.31),)
+    return ConnectionTiming(
+        topic, topic, caller, robot, 900, START, START + 90.0, 10.0, 0.1, 0.004, 1, gaps, 0.31, _clock(robot).clock
+    )
 
 
 def _track(robot: str, number: int) -> RobotTrack:

@@ -93,9 +93,11 @@ def test_parameters_that_differ_name_their_robots() -> None:
 
 def test_time_on_connections_is_told_where_somebody_measured() -> None:
     text = report_html(usual_mission())
-    assert "2.1</td>" in text
+    # 2.1 ms of offset, a drift of a millionth, ahead by at least 1.5 ms.
+    assert '<td class="number">2.1</td><td class="number">1</td><td class="number">1.5</td>' in text
+    assert '<a href="#t=20.000" class="when">20.0 s</a> for 0.3 s' in text
     assert 'id="clocks"' in text
-    assert 'id="clocks"' not in report_html(replace(usual_mission(), clocks=()))
+    assert 'id="clocks"' not in report_html(replace(usual_mission(), clocks=None))
 
 
 def test_a_mission_of_nothing_says_so() -> None:

@@ -11,7 +11,7 @@ import threading
 import time
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, List, Mapping, Optional, Set
+from typing import Any, List, Mapping, Optional, Set, Tuple
 
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.interrupt import Interrupt
@@ -33,11 +33,13 @@ from rqt_mrta_py.app.live.ways import foreseen_topics, overhear
 from rqt_mrta_py.app.mission_message import mission_message
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs.folder import OutputFolder
+from rqt_mrta_py.app.outputs.report import ReportSource, bag_file, write_report
 from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch, write_results
 from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.hooks import MonitorView, Outgoing, Stamped
 from rqt_mrta_py.model import Mission, MissionRecord
 from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
+from rqt_mrta_py.render.report import BagFile
 from rqt_mrta_py.supervisor import team_news
 from rqt_mrta_py.supervisor.own_topics import INCIDENT
 from rqt_mrta_py.transport.ros1 import RosNode
@@ -242,12 +244,15 @@ class LiveSupervisor:
             self._thread.join()
         self._drawing.close()
         self._snapshots.close()
+        bags: Tuple[BagFile, ...] = ()
         if self._recording is not None and self._recording.close() is not None:
             _log.info("recording=%s messages=%d", self._recording.path, self._recording.messages)
+            bags = (bag_file(self._recording.path, self._recording.messages),)
         if self._folder is None or self.observation is None:
             return None
         dashboard = self._host.renderer("dashboard") if self._options.pictures > 0 else None
         results = write_results(self._folder, self.observation, dashboard)
+        write_report(self._folder, self.observation, results.record, ReportSource("live supervision", bags))
         return self._stopwatch.result(self._folder, results, Interrupt())
 
     def _wanted(self, topic: str, type_name: str) -> bool:

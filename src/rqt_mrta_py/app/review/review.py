@@ -23,10 +23,12 @@ from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.app.outputs.message_exports import with_news, write_message_exports
 from rqt_mrta_py.app.outputs.picture_files import PictureFiles, check_film, open_film
 from rqt_mrta_py.app.outputs.pictures import period_in_ticks
+from rqt_mrta_py.app.outputs.report import ReportSource, bag_file, write_report
 from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch, write_results
 from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.hooks import Codec, Listener, Renderer
 from rqt_mrta_py.model import Mission
+from rqt_mrta_py.supervisor import recorded_communication
 from rqt_mrta_py.supervisor.clocks import Timings
 from rqt_mrta_py.transport import read_bag, read_bag_info
 
@@ -126,7 +128,11 @@ def review_bag(host: Host, request: ReviewRequest, progress: Callable[[float, fl
         stream = partial(with_news, heard, said, codec, info.topics)
         write_message_exports(folder, exporters, results.record, stream, patience)
         write_communication(folder, info, results.record, picture=pictures is not None)
-        write_clocks(folder, timings.table([robot.id for robot in results.record.robots]))
+        table = timings.table([robot.id for robot in results.record.robots])
+        write_clocks(folder, table)
+        bags = (bag_file(request.bag, info.messages),)
+        source = ReportSource("review", bags, recorded_communication(info.spans), table)
+        write_report(folder, observation, results.record, source)
         return stopwatch.result(folder, results, interrupt)
 
 

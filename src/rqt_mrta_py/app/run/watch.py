@@ -16,11 +16,13 @@ from rqt_mrta_py.app.outputs.figures import figures_of, write_figures
 from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.app.outputs.message_exports import write_message_exports
 from rqt_mrta_py.app.outputs.pictures import PICTURE_TOPIC, PictureSchedule
+from rqt_mrta_py.app.outputs.report import ReportSource, bag_file, write_report
 from rqt_mrta_py.app.outputs.results import Results, write_results
 from rqt_mrta_py.app.run.clock import RunClock
 from rqt_mrta_py.hooks import Exporter, FigureMaker, Outgoing, Renderer
 from rqt_mrta_py.hooks.patience import Patience
 from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
+from rqt_mrta_py.supervisor import recorded_communication
 from rqt_mrta_py.supervisor.own_topics import OWN_TOPICS
 from rqt_mrta_py.transport import BagWriter, Batch, Bus, read_bag
 
@@ -169,6 +171,10 @@ class Watch:
         self._bag.close()
         results = write_results(plan.folder, plan.observation, plan.dashboard)
         write_exports(plan.folder, plan.exporters, results.record)
+        spans = self._bag.spans()
+        bags = (bag_file(self._bag.path, sum(count for _, count, _, _ in spans)),)
+        source = ReportSource("run", bags, recorded_communication(spans))
+        write_report(plan.folder, plan.observation, results.record, source)
         return results
 
     def _publish(self, messages: Sequence[Outgoing], now: float) -> None:

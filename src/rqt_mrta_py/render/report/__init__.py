@@ -11,6 +11,6 @@ from __future__ import annotations
 
 from rqt_mrta_py.render.report.fine_curves import fine_panel
 from rqt_mrta_py.render.report.page import report_html
-from rqt_mrta_py.render.report.report_input import BagFile, ClockRow, Provenance, ReportInput
+from rqt_mrta_py.render.report.report_input import BagFile, Provenance, ReportInput
 
-__all__ = ["BagFile", "ClockRow", "Provenance", "ReportInput", "fine_panel", "report_html"]
+__all__ = ["BagFile", "Provenance", "ReportInput", "fine_panel", "report_html"]

@@ -1,60 +1,87 @@
-"""Time as connections tell it: rates, gaps, and header stamps against the time of receipt."""
+"""Time as messages tell it: the robots' clocks, and each connection's rate, gaps and stamps."""
 
 from __future__ import annotations
 
 from typing import List, Optional, Sequence
 
-from rqt_mrta_py.render.report.html import Content, Html, element
-from rqt_mrta_py.render.report.report_input import ClockRow, ReportInput
-from rqt_mrta_py.render.report.tables import section, table
+from rqt_mrta_py.model.timing import ConnectionTiming, Gap, RobotClock, SenderClock
+from rqt_mrta_py.render.report.html import Content, Html, element, joined
+from rqt_mrta_py.render.report.report_input import ReportInput
+from rqt_mrta_py.render.report.tables import moment, section, table
+from rqt_mrta_py.render.times import seconds
 
 __all__ = ["clocks_section"]
 
 _MOST = 1000
+_STAMPS = ("offset [ms]", "drift [ppm]", "ahead by at least [ms]", "later, half [ms]", "later, 95 % [ms]")
+_NOTE = (
+    "Header stamps against the time of receipt. An offset is that of the promptest messages: the clock's error less "
+    "the shortest latency, which messages that go one way cannot tell apart; the clock is ahead by at least what is "
+    "said, where that is above 0."
+)
 
 
 def clocks_section(given: ReportInput) -> Optional[Html]:
-    """List what was measured of connections; None where nobody measured."""
-    if not given.clocks:
+    """List what messages tell of time; None where nobody measured."""
+    if given.clocks is None or not given.clocks.connections:
         return None
-    heads = [
-        "topic",
-        "node",
-        "messages",
-        "rate [Hz]",
-        "jitter [ms]",
-        "longest gap [s]",
-        "offset [ms]",
-        "known to within [ms]",
-        "drift [ppm]",
-        "remark",
-    ]
-    shown = given.clocks[:_MOST]
-    more = len(given.clocks) - len(shown)
+    start = given.view.record.start or 0.0
+    connections = given.clocks.connections
+    robots = [_robot(each) for each in given.clocks.robots[:_MOST]]
+    rows = [_connection(each, start) for each in connections[:_MOST]]
+    more = len(connections) - len(rows)
+    heads = ("topic", "node", "messages", "rate [Hz]", "period [ms]", "jitter [ms]", "longest silence [s]", "gaps")
     return section(
         "clocks",
         "Clocks and gaps",
-        table("Clocks and gaps", heads, [_row(row) for row in shown], 2),
-        element("p", f"{more} more connections are in clocks.json", class_="hint") if more else None,
-        note="header stamps against the time of receipt; an offset above 0: stamps are ahead. What is latency and what "
-        "the clock cannot be told apart more closely than the bound says.",
+        table("The robots' clocks", ("robot", "told by", *_STAMPS), robots, 2) if robots else None,
+        element(
+            "details",
+            element("summary", f"All {len(connections)} connections"),
+            table("Connections", (*heads, *_STAMPS), rows, 2),
+            element("p", f"{more} more are in clocks.json", class_="hint") if more else None,
+            open=not robots,
+        ),
+        note=_NOTE,
     )
 
 
-def _row(row: ClockRow) -> List[Content]:
-    cells: Sequence[Content] = [
-        element("code", row.topic),
-        element("code", row.node or "?"),
-        f"{row.messages:,}",
-        _scaled(row.rate, 1.0),
-        _scaled(row.jitter, 1e3),
-        _scaled(row.longest_gap, 1.0),
-        _scaled(row.offset, 1e3),
-        _scaled(row.bound, 1e3),
-        _scaled(row.drift, 1e6),
-        row.remark,
+def _robot(each: RobotClock) -> List[Content]:
+    return [each.robot, element("code", each.topic), *_stamps(each.clock)]
+
+
+def _connection(each: ConnectionTiming, start: float) -> List[Content]:
+    return [
+        element("code", each.topic),
+        element("code", each.caller or "?"),
+        f"{each.messages:,}",
+        _scaled(each.rate, 1.0),
+        _scaled(each.period, 1e3),
+        _scaled(each.jitter, 1e3),
+        _scaled(each.longest, 1.0),
+        "–" if each.gaps is None else joined([f"{each.gaps:,}", _longest(each.longest_gaps, start)]),
+        *_stamps(each.clock),
     ]
-    return list(cells)
+
+
+def _longest(gaps: Sequence[Gap], start: float) -> Optional[Html]:
+    """Lead to the longest gap."""
+    if not gaps:
+        return None
+    gap = max(gaps, key=lambda each: each.end - each.start)
+    return joined([": ", moment(gap.start - start), f" for {seconds(gap.end - gap.start)}"])
+
+
+def _stamps(clock: Optional[SenderClock]) -> List[Content]:
+    if clock is None:
+        return ["–"] * len(_STAMPS)
+    return [
+        _scaled(clock.offset, 1e3),
+        _scaled(clock.drift, 1e6),
+        _scaled(clock.at_least, 1e3),
+        _scaled(clock.delay_median, 1e3),
+        _scaled(clock.delay_high, 1e3),
+    ]
 
 
 def _scaled(value: Optional[float], factor: float) -> str:

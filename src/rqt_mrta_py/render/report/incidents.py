@@ -47,7 +47,7 @@ def _card(given: ReportInput, number: int, start: float) -> Html:
     )
     facts += [("task" if len(incident.tasks) == 1 else "tasks", ", ".join(incident.tasks))] if incident.tasks else []
     facts.append(("lasted", seconds(length)))
-    causes = given.causes.get(incident.rule) or getattr(incident, "causes", "")
+    causes = incident.causes
     return element(
         "li",
         severity_sign(incident.severity),

@@ -107,7 +107,7 @@ def _picture(small: Folded) -> Html:
         chain = found.chains[number]
         parts.append(_curve(chain, lefts, widths, places, backwards=number in found.reversed_edges, line=line))
     for number, each in enumerate(vertices):
-        parts.append(_box(each, lefts[number] + widths[number] / 2.0, places[number] + _MARGIN))
+        parts.append(_box(each, lefts[number], widths[number], places[number] + _MARGIN))
     arrow = element(
         "marker",
         element("path", d="M0,0L9,4.5L0,9z"),
@@ -138,7 +138,7 @@ def _parts(small: Folded) -> tuple[List[_Vertex], List[_Line]]:
     vertices = [_vertex(node, "", small, is_topic=False) for node in nodes]
     for topic in topics:
         rate = "" if topic.rate is None else f"{topic.rate:.3g} Hz"
-        detail = "   ".join(part for part in (", ".join(topic.types), rate) if part)
+        detail = " · ".join(part for part in (", ".join(topic.types), rate) if part)
         vertices.append(_vertex(topic.name, detail, small, is_topic=True))
     node_numbers = {node: number for number, node in enumerate(nodes)}
     topic_numbers = {topic.name: len(nodes) + number for number, topic in enumerate(topics)}
@@ -154,20 +154,19 @@ def _vertex(name: str, detail: str, small: Folded, *, is_topic: bool) -> _Vertex
     return _Vertex(is_topic, shown, detail, max(len(shown) * _LETTER, len(detail) * _SMALL_LETTER) + 26.0)
 
 
-def _box(vertex: _Vertex, x: float, y: float) -> Html:
+def _box(vertex: _Vertex, left: float, width: float, y: float) -> Html:
     height = _TOPIC_HEIGHT if vertex.is_topic else _NODE_HEIGHT
     rect = element(
         "rect",
-        x=f"{x - vertex.width / 2.0:.1f}",
+        x=f"{left:.1f}",
         y=f"{y - height / 2.0:.1f}",
-        width=f"{vertex.width:.1f}",
+        width=f"{width:.1f}",
         height=f"{height:.1f}",
         rx=3 if vertex.is_topic else f"{height / 2.0:.0f}",
     )
-    name = element("text", vertex.name, x=f"{x:.1f}", y=f"{y - 3.0 if vertex.detail else y + 4.5:.1f}")
-    detail = (
-        element("text", vertex.detail, x=f"{x:.1f}", y=f"{y + 13.0:.1f}", class_="detail") if vertex.detail else None
-    )
+    x = f"{left + 13.0:.1f}"
+    name = element("text", vertex.name, x=x, y=f"{y - 3.0 if vertex.detail else y + 4.5:.1f}")
+    detail = element("text", vertex.detail, x=x, y=f"{y + 13.0:.1f}", class_="detail") if vertex.detail else None
     return element("g", rect, name, detail, class_="topic" if vertex.is_topic else "node")
 
 

@@ -7,10 +7,11 @@ from typing import Any, Mapping, NamedTuple, Optional, Tuple
 
 from rqt_mrta_py.hooks import MonitorView
 from rqt_mrta_py.model import CommunicationGraph, Task
+from rqt_mrta_py.model.timing import TimingTable
 from rqt_mrta_py.render.body_keeper import BodyTrack
 from rqt_mrta_py.render.pose_log import RobotTrack
 
-__all__ = ["BagFile", "ClockRow", "Provenance", "ReportInput"]
+__all__ = ["BagFile", "Provenance", "ReportInput"]
 
 
 class BagFile(NamedTuple):
@@ -19,34 +20,6 @@ class BagFile(NamedTuple):
     name: str
     size: int
     messages: int
-
-
-class ClockRow(NamedTuple):
-    """What is known of time on one connection; None where nothing is.
-
-    Attributes:
-        topic: resolved name.
-        node: that published; empty if unknown.
-        messages: number of them.
-        rate: [Hz].
-        jitter: how much the time between two messages varies [s].
-        longest_gap: between two messages [s].
-        offset: of header stamps against the time of receipt; above 0: stamps are ahead [s].
-        bound: how far off the offset of the sender's clock may be, for latency cannot be told from it [s].
-        drift: of the offset [s/s].
-        remark: anything that people should know of it.
-    """
-
-    topic: str
-    node: str
-    messages: int
-    rate: Optional[float] = None
-    jitter: Optional[float] = None
-    longest_gap: Optional[float] = None
-    offset: Optional[float] = None
-    bound: Optional[float] = None
-    drift: Optional[float] = None
-    remark: str = ""
 
 
 @dataclass(frozen=True)
@@ -77,8 +50,7 @@ class ReportInput:
         bodies: where loose bodies were.
         tasks: every task that was known at any moment, for kinds and places.
         communication: nodes and topics; None if unknown.
-        clocks: of connections; empty if nobody measured.
-        causes: what usually causes incidents, by rule.
+        clocks: what messages tell of time; None where nobody measured.
         figures: of the whole mission that the record does not tell, among its statistics.
     """
 
@@ -88,6 +60,5 @@ class ReportInput:
     bodies: Tuple[BodyTrack, ...] = ()
     tasks: Tuple[Task, ...] = ()
     communication: Optional[CommunicationGraph] = None
-    clocks: Tuple[ClockRow, ...] = ()
-    causes: Mapping[str, str] = field(default_factory=dict)
+    clocks: Optional[TimingTable] = None
     figures: Mapping[str, Any] = field(default_factory=dict)

@@ -37,7 +37,7 @@ painters.arena = () => {
   const plan = arenaScale(), full = plan.height + floorPlan.top + floorPlan.bottom;
   const svg = draw('svg', {viewBox: `0 0 ${arenaWidth} ${full}`, width: arenaWidth, height: full, role: 'img', 'aria-label': `The arena at ${seconds(look.now)}`});
   paintFloor(svg, plan);
-  for (const task of tasks) if (task.place) paintTask(svg, plan, task);
+  const places = tasks.filter((task) => task.place).map((task) => paintTask(svg, plan, task)).filter(Boolean);
   for (const body of bodies) paintBody(svg, plan, body);
   const seen = [];
   for (const robot of robots) {
@@ -50,7 +50,9 @@ painters.arena = () => {
     if (robots.length <= manyRobots || each.robot.id === chosen) paintTrail(svg, plan, each.robot);
   }
   for (const each of seen) paintRobot(svg, each, each.robot.id === chosen);
-  paintNames(svg, seen, chosen, plan);
+  const named = seen.filter(({robot}) => seen.length <= manyRobots || robot.id === chosen)
+    .map(({robot, x, y, radius}) => ({text: robot.id, x, y, radius, font: '600 12px', dress: 'robot-name halo', may: false}));
+  paintNames(svg, [...named, ...(tasks.length > 60 ? [] : places)], [...seen, ...places], plan);
   arenaBox.replaceChildren(svg);
 };
 
@@ -76,14 +78,14 @@ function paintFloor(svg, plan) {
 
 function paintTask(svg, plan, task) {
   const state = taskState(task, look.now);
-  if (!state) return;
+  if (!state) return null;
   const x = plan.x(task.place[0]), y = plan.y(task.place[1]), size = tasks.length > 60 ? 4 : 7;
   const over = ['done', 'failed', 'withdrawn'].includes(state);
   const group = draw('g', {class: `place ${state}`});
   group.append(draw('path', {d: `M${x},${y - size}l${size},${size}l${-size},${size}l${-size},${-size}z`, class: `diamond t${task.colour}`}));
-  if (tasks.length <= 60) group.append(draw('text', {x: x + size + 3, y: y + 4, class: 'place-name halo'}, over ? `${data.names.stages[state]} ${task.id}` : task.id));
   group.dataset.task = task.number;
   svg.append(group);
+  return {text: over ? `${data.names.stages[state]} ${task.id}` : task.id, x, y, radius: size, font: '11px', dress: `place-name halo${over ? ' over' : ''}`, may: over};
 }
 
 function paintBody(svg, plan, body) {
@@ -133,21 +135,21 @@ function paintRobot(svg, {robot, x, y, yaw, radius}, chosen) {
   svg.append(group);
 }
 
-// Names stand where they cover neither a robot nor another name; where there is no such place, on the right.
-function paintNames(svg, seen, chosen, plan) {
-  const taken = seen.map(({x, y, radius}) => [x - radius - 2, y - radius - 2, x + radius + 2, y + radius + 2]);
-  for (const {robot, x, y, radius} of seen) {
-    if (seen.length > manyRobots && robot.id !== chosen) continue;
-    const text = fitted(robot.id, '600 12px', 120), width = textWidth(text, '600 12px'), gap = radius + 5;
+// Names stand where they cover neither a sign nor another name; where there is no such place, on the right, or nowhere.
+function paintNames(svg, named, signs, plan) {
+  const taken = signs.map(({x, y, radius}) => [x - radius - 2, y - radius - 2, x + radius + 2, y + radius + 2]);
+  for (const {text, x, y, radius, font, dress, may} of named) {
+    const word = fitted(text, font, 130), width = textWidth(word, font), gap = radius + 5;
     const spots = [[x + gap, y + 4], [x - gap - width, y + 4], [x - width / 2, y - gap - 1], [x - width / 2, y + gap + 10]];
     const boxOf = ([left, base]) => [left, base - 10, left + width, base + 3];
-    const free = spots.filter((spot) => {
+    const free = spots.find((spot) => {
       const box = boxOf(spot);
       return box[0] >= plan.left && box[2] <= plan.left + plan.width && !taken.some((other) => box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3]);
     });
-    const spot = free[0] || spots[0];
+    if (!free && may) continue;
+    const spot = free || spots[0];
     taken.push(boxOf(spot));
-    svg.append(draw('text', {x: spot[0], y: spot[1], class: 'robot-name halo'}, text));
+    svg.append(draw('text', {x: spot[0], y: spot[1], class: dress}, word));
   }
 }
 

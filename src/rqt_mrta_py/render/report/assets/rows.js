@@ -121,6 +121,7 @@ const rowPainters = {
   incidents(row, names, plot) {
     name(row, names, 0);
     const y = row.top + row.height / 2;
+    if (!incidents.length) plot.append(draw('text', {x: geometry.gutter + 4, y: y + 4, class: 'gutter'}, 'none'));
     incidents.forEach((each, number) => {
       const kind = data.names.severities[each.severity], bar = span(each.from, each.to);
       if (!bar) return;
@@ -141,7 +142,10 @@ const rowPainters = {
     let x = Math.max(geometry.gutter, textWidth(row.name, '600 13px') + 14);
     for (const [label, colour] of labelled) {
       const text = fitted(label, '11px', 150), wide = textWidth(text, '11px') + 34;
-      if (x + wide > geometry.width) break;
+      if (x + wide > geometry.width - 24) {
+        names.append(draw('text', {x, y: row.top + 18, class: 'key'}, '…'));
+        break;
+      }
       names.append(draw('line', {x1: x, x2: x + 16, y1: row.top + 14, y2: row.top + 14, class: `curve t${colour}`}));
       names.append(draw('text', {x: x + 20, y: row.top + 18, class: 'key'}, text));
       x += wide;
@@ -165,9 +169,10 @@ const rowPainters = {
       ends[each.lane] = bar.left + bar.width;
       const task = tasks[each.task], top = row.top + 4 + each.lane * laneHeight;
       plot.append(draw('rect', {x: bar.left, y: top, width: bar.width, height: laneHeight - 3, rx: 2, class: `bar t${task.colour} ${each.outcome}`}));
-      const sign = data.names.signs[each.outcome], room = bar.width - 8 - (sign ? 12 : 0);
+      const sign = data.names.signs[each.outcome], begin = Math.max(bar.left, geometry.gutter) + 5;
+      const room = bar.left + bar.width - begin - 3 - (sign ? 12 : 0);
       const word = room > 14 ? fitted(task.id, '11px', room) : '';
-      if (word) plot.append(draw('text', {x: bar.left + 5, y: top + 11.5, class: `on t${task.colour}`}, word));
+      if (word) plot.append(draw('text', {x: begin, y: top + 11.5, class: `on t${task.colour}`}, word));
       if (sign && bar.width > 13 && each.to <= look.to) plot.append(draw('text', {x: bar.left + bar.width - 4, y: top + 11.5, class: `on end t${task.colour}`}, sign));
     }
     for (const [time, word, who] of labels) if (who === robot.number) mark(plot, row, time, word);
@@ -190,7 +195,7 @@ const rowPainters = {
           const piece = span(Math.max(each.from, from), place + 1 < held.length ? held[place + 1].from : to);
           const word = piece ? fitted(robots[each.robot].id, '11px', piece.width - 8) : '';
           if (place && piece) plot.append(draw('line', {x1: piece.left, x2: piece.left, y1: middle - 7, y2: middle + 7, class: 'hand-over'}));
-          if (word) plot.append(draw('text', {x: piece.left + 4, y: middle + 4, class: 'dark'}, word));
+          if (word) plot.append(draw('text', {x: Math.max(piece.left, geometry.gutter) + 4, y: middle + 4, class: 'dark'}, word));
         });
       } else if (!busy && state !== 'waiting' && bar.width > 8) {
         plot.append(draw('text', {x: bar.left + 3, y: middle - 3, class: 'stage-sign'}, `${data.names.stages[state]} ${state}`));

@@ -85,9 +85,11 @@ function textWidth(text, font) {
 // As much of a text as there is room for; nothing where that would say nothing.
 function fitted(text, font, room) {
   if (textWidth(text, font) <= room) return text;
+  // Names that begin alike differ at their ends, so both stay.
+  const cut = (length) => text.slice(0, Math.ceil(length / 2)) + '…' + text.slice(text.length - Math.floor(length / 2));
   let length = Math.floor(text.length * room / textWidth(text, font));
-  while (length > 2 && textWidth(text.slice(0, length) + '…', font) > room) length--;
-  return length > 2 ? text.slice(0, length) + '…' : '';
+  while (length > 2 && textWidth(cut(length), font) > room) length--;
+  return length > 2 ? cut(length) : '';
 }
 
 // A word beside the pointer.
