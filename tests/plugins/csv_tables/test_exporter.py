@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import csv
+import dataclasses
 import io
 import math
 from typing import List, Mapping, Tuple
@@ -49,8 +50,14 @@ def test_texts_with_commas_quotes_and_lines_stay_in_one_cell(exporter: CsvExport
     files = exporter.export(RECORD)
     assert files["incidents.csv"].splitlines(keepends=True)[1:] == [
         b'odd,warning,1.0,2.0,a b,t,"a says ""no"", b too,\n',
-        b'and leaves"\r\n',
+        b'and leaves",\r\n',
     ]
+
+
+def test_incidents_say_what_usually_causes_them(exporter: CsvExporter) -> None:
+    record = dataclasses.replace(RECORD, incidents=(dataclasses.replace(RECORD.incidents[0], causes="rain, snow"),))
+    head, row = rows(exporter.export(record), "incidents.csv")
+    assert (head[-1], row[-1]) == ("causes", "rain, snow")
 
 
 def test_texts_that_would_be_formulas_are_made_harmless(exporter: CsvExporter) -> None:

@@ -60,7 +60,7 @@ def test_tables_count_seconds_from_the_streams_start(exporter: ParquetExporter) 
 
 def test_incidents_keep_lists_and_evidence(exporter: ParquetExporter) -> None:
     evidence = (Evidence("/a", 1.5, 0), Evidence("/b", 2.0, 7))
-    incident = Incident("odd", Severity.ERROR, 2.0, 3.5, ("a", "b"), (), 'says "no",\nand leaves', evidence)
+    incident = Incident("odd", Severity.ERROR, 2.0, 3.5, ("a", "b"), (), 'says "no",\nand leaves', evidence, "rain")
     record = dataclasses.replace(RECORD, incidents=(incident,))
     assert rows(exporter, "incidents", record) == [
         {
@@ -75,6 +75,7 @@ def test_incidents_keep_lists_and_evidence(exporter: ParquetExporter) -> None:
                 {"topic": "/a", "time_s": 0.5, "index": 0},
                 {"topic": "/b", "time_s": 1.0, "index": 7},
             ],
+            "causes": "rain",
         }
     ]
 

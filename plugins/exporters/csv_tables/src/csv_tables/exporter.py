@@ -80,7 +80,7 @@ def _allocations(record: MissionRecord, start: float) -> _Table:
 
 
 def _incidents(record: MissionRecord, start: float) -> _Table:
-    return ("rule", "severity", "from [s]", "to [s]", "robots", "tasks", "text"), [
+    return ("rule", "severity", "from [s]", "to [s]", "robots", "tasks", "text", "causes"), [
         (
             each.rule,
             each.severity.value,
@@ -89,6 +89,7 @@ def _incidents(record: MissionRecord, start: float) -> _Table:
             " ".join(each.robots),
             " ".join(each.tasks),
             each.text,
+            each.causes,
         )
         for each in record.incidents
     ]

@@ -65,6 +65,7 @@ def mission_tables(record: MissionRecord) -> Dict[str, Table]:
             "tasks": (Kind.TEXTS, [list(each.tasks) for each in record.incidents]),
             "text": _texts(each.text for each in record.incidents),
             "evidence": (Kind.EVIDENCE, [_evidence(each, start) for each in record.incidents]),
+            "causes": _texts(each.causes for each in record.incidents),
         },
         "events": {
             "time_s": _times((each.time for each in record.events), start),
