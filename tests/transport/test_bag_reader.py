@@ -95,26 +95,29 @@ WHOLE = bag([connection_record(0, "/a")], [[(0, 1, b"\0")] * 5])
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        (b"", "not a whole ROS 1 bag: File .* seems to be empty; give a file that 'rosbag info' reads"),
+        (b"", "not a whole ROS 1 bag: the file is empty; give a file that 'rosbag info' reads"),
         (
             b"PK\x03\x04 zip, say\n",
-            "not a whole ROS 1 bag: File magic is invalid; give a file that 'rosbag info' reads",
+            r"not a whole ROS 1 bag: it begins with b'PK\\x03\\x04 zip, say', "
+            r"bags of version 2.0 with b'#ROSBAG V2.0\\n'; give a file that 'rosbag info' reads",
         ),
-        (b"#ROSBAG V1.2\n", "not a whole ROS 1 bag: Bag version 102 is not supported"),
+        (b"#ROSBAG V1.2\n", r"not a whole ROS 1 bag: it begins with b'#ROSBAG V1.2\\n', bags of version 2.0"),
         (b"\xff\xfe\n" * 9, "not a whole ROS 1 bag: "),
         (WHOLE.replace(b"index_pos=", b"index_pos=" + bytes(8), 1)[: len(WHOLE)], "not a whole ROS 1 bag: "),
         (WHOLE[:22], "not a whole ROS 1 bag: "),
         (WHOLE[:-10], "not a whole ROS 1 bag: .*; its end is missing, save what it holds with 'mrta salvage'"),
-        (WHOLE.replace(b"compression=none", b"compression=gzip"), "not a whole ROS 1 bag: Compression 'gzip' is not"),
+        (
+            WHOLE.replace(b"compression=none", b"compression=gzip"),
+            "damaged: it is compressed by 'gzip'; there are none, ",
+        ),
         (WHOLE.replace(b"compression=none", b"compression=bz2\0"), "not a whole ROS 1 bag: "),
     ],
 )
 def test_a_file_that_is_no_whole_bag_is_one_clear_error(tmp_path: Path, content: bytes, message: str) -> None:
     path = write(tmp_path / "x.bag", content)
-    for attempt in (lambda: list(read_bag(path)), lambda: read_bag_info(path)):
-        with pytest.raises(TransportError, match=message) as caught:
-            attempt()
-        assert str(caught.value).startswith(f"{path}: ")
+    with pytest.raises(TransportError, match=message) as caught:
+        list(read_bag(path))
+    assert str(caught.value).startswith(f"{path}: ")
 
 
 def test_an_unclosed_bag_says_how_to_mend_it(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import logging
-from typing import Dict, List, Mapping, Optional, Sequence
+from typing import Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 from rqt_mrta_py.app.guard import GuardedMeasure, GuardedPanel, made
 from rqt_mrta_py.app.observers import observers_of
@@ -35,17 +35,33 @@ from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Event, Mission, MissionRecord
 from rqt_mrta_py.render import SceneTracker
 from rqt_mrta_py.render.report import fine_panel
-from rqt_mrta_py.supervisor import Supervisor, team_news
+from rqt_mrta_py.supervisor import Attention, Supervisor, team_news
 from rqt_mrta_py.transport import Batch, Dispatcher
 from rqt_mrta_py.transport.patterns import TopicPattern
 from rqt_mrta_py.wording import accepted
 
-__all__ = ["CURVE_WINDOW", "Observation", "interpreter_for", "measures_for", "with_measures"]
+__all__ = ["CURVE_WINDOW", "Habit", "Observation", "interpreter_for", "measures_for", "with_measures"]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
 CURVE_WINDOW = 60.0
 """How much of the past the curves of a monitor picture show [s]."""
+
+
+class Habit(NamedTuple):
+    """How the messages of a connection are heard.
+
+    Attributes:
+        at_once: each must be taken in before any that follows, on whatever topic.
+        each: somebody wants to hear each, though it says nothing new to the supervisor.
+        timed: the supervisor holds receipts, and stamps if there are any, against one another.
+        said: fields that must differ for it to say anything new; None if it says nothing but that its robot is heard.
+    """
+
+    at_once: bool
+    each: bool
+    timed: bool
+    said: Optional[Tuple[str, ...]]
 
 
 class Observation:
@@ -97,8 +113,10 @@ class Observation:
         self._dispatcher = Dispatcher(codec, self.supervisor.report)
         self._dispatcher.watch(self.supervisor.sighting)
         wishes: List[Subscription] = []
+        self._attention: Dict[object, Attention] = {}
         for subscription, callback in self.supervisor.listeners():
-            self._dispatcher.subscribe(subscription, callback)
+            attention = self._attention[callback] = self.supervisor.repeats.attention(callback)
+            self._dispatcher.subscribe(subscription, callback, each=attention is not Attention.LAST)
             wishes.append(subscription)
         self._read = tuple((TopicPattern(wish.topic), wish) for wish in wishes if wish.topic != EVERYTHING)
         heard_by: List[Listener] = [self._scene, *self._panels, *self._measures.values()]
@@ -142,6 +160,39 @@ class Observation:
             return None
         paths = dict.fromkeys(path for wish in wishes for path in wish.fields if path.split("/")[-1] != "stamp")
         return self._codec.compile(connection, tuple(paths))
+
+    def habit(self, connection: Connection) -> Habit:
+        """Say how the messages of a connection are heard.
+
+        Args:
+            connection: whose.
+        """
+        met, wrong = self._dispatcher.wishes_for(connection)
+        attentions = [self._attention.get(each.callback, Attention.EACH) for each in met]
+        last = [each for each in met if not each.wish.each]
+        paths = dict.fromkeys(path for each in last for path in each.paths if path.split("/")[-1] != "stamp")
+        timed = attentions.count(Attention.TIMED)
+        return Habit(
+            at_once=wrong or Attention.AT_ONCE in attentions,
+            each=Attention.EACH in attentions or timed > 1,
+            timed=timed == 1,
+            said=tuple(paths) if last else None,
+        )
+
+    def glance(self, stamped: Stamped) -> None:
+        """Take in the next message of the stream, which says nothing new to the supervisor, and is not its last."""
+        self._dispatcher.glance(stamped, self._reach)
+
+    def ordinals(self, connection: Connection) -> Iterator[int]:
+        """Count the messages of a connection's topic: taking one counts a message that is taken in no other way."""
+        return self._dispatcher.ordinals(connection)
+
+    def pass_over(self, connection: Connection, messages: int) -> None:
+        """Count messages of a connection's topic that say nothing new, and that nobody else wants to hear."""
+        self._dispatcher.pass_over(connection, messages)
+
+    def _reach(self, topic: str, receipt: float, ordinal: int) -> None:
+        self.supervisor.repeats.reach((topic, receipt, ordinal))
 
     def feed_batch(self, batch: Batch) -> None:
         """Take in the next messages of the stream."""

@@ -40,7 +40,12 @@ class InterpreterSetup:
 
 
 class AllocationInterpreter(Protocol):
-    """Reads one architecture's signs."""
+    """Reads one architecture's signs.
+
+    One with an attribute ``repeats_matter`` that is False may be told of fewer messages: where those of one connection
+    say the same again and again in all fields asked for, and nothing changes meanwhile, only the last before anything
+    does. So reviews are quicker; what follows from a message must then be the same though it be heard twice.
+    """
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Say what to hear; asked once. Names must be absolute or patterns."""

@@ -6,7 +6,8 @@
 * ``topics``, ``readers``, ``joins``, ``values``: which topics an architecture has, how their messages tell robots and tasks
 * ``team``: derives facts; ``robots``, ``tasks``, ``allocations`` keep one thing each, ``timeline`` their histories
 * ``standing``: how a team stands, as another supervisor tells whoever comes late
-* ``agenda``: what falls due when; ``copies``: a team that looks ahead without moving on
+* ``agenda``: what falls due when; ``repeats``: messages that only put it off
+* ``copies``: a team that looks ahead without moving on
 * ``clocks``: stamps against receipts, and who falls silent on a topic
 * ``desk``, ``rules``: incidents; ``failures``: plugins that raise on the way
 * ``journal``, ``news``, ``summary``: the same for readers, for other nodes, for programs; ``own_topics``: where
@@ -18,12 +19,14 @@
 from __future__ import annotations
 
 from rqt_mrta_py.supervisor.news import team_news
+from rqt_mrta_py.supervisor.repeats import Attention
 from rqt_mrta_py.supervisor.standing import Standing, standing_of
 from rqt_mrta_py.supervisor.summary import event_lines, incident_lines, summary
 from rqt_mrta_py.supervisor.supervisor import Supervisor
 from rqt_mrta_py.supervisor.traffic import Traffic, communication, recorded_communication
 
 __all__ = [
+    "Attention",
     "Standing",
     "Supervisor",
     "Traffic",

@@ -76,6 +76,17 @@ class Agenda:
         self.next = self._heap[0][0] if self._heap else math.inf
         return due, entry
 
+    @property
+    def first(self) -> Entry:
+        """Give the entry that stands first; there must be one."""
+        return self._heap[0][3]
+
+    def put_off(self, due: float) -> None:
+        """Let the entry that stands first stand at another time [s], which is its true due time."""
+        order = self._heap[0][2]
+        _, entry = self.take()
+        self.put(due, order, entry)
+
     def fork(self) -> Agenda:
         """Copy the queue, so that the copy can go on by itself."""
         twin = Agenda()

@@ -51,6 +51,11 @@ class AllocationBook:
     """All allocations, open and ended.
 
     An ended allocation that had no length is struck out.
+
+    Attributes:
+        expired: open allocations that have expired, by robot and task.
+        unsettled: whether the robot of one of these was heard since.
+        late: how often a message was found to be late.
     """
 
     def __init__(self) -> None:
@@ -61,6 +66,7 @@ class AllocationBook:
         self._signed: Dict[_Pair, Tuple[float, float]] = {}
         self.expired: Dict[_Pair, Hold] = {}
         self.unsettled = False
+        self.late = 0
 
     def find(self, robot: str, task: str) -> Optional[Hold]:
         """Give the open allocation of a robot and a task; None if there is none."""
@@ -141,7 +147,9 @@ class AllocationBook:
                 set back: by stamps alone a robot could hold its task for ever, and nobody would know.
         """
         signed = self._signed.get((robot, task))
-        return signed is not None and 0.0 < stamp <= signed[0] and signed[1] >= since
+        late = signed is not None and 0.0 < stamp <= signed[0] and signed[1] >= since
+        self.late += late
+        return late
 
     def holders(self, task: str) -> Tuple[str, ...]:
         """List the ids of the robots that hold a task, sorted."""

@@ -63,6 +63,10 @@ class Ears:
         """Give who is told first of all messages of connections: time passes, and their robots count as heard."""
         return self._sightings.of(connections)
 
+    def owner(self, connection: Connection) -> str:
+        """Give the id of the robot whose messages come on a connection; empty if of none that is known so far."""
+        return self._sightings.owner(connection)
+
     def sight_together(self, messages: Sequence[Stamped], ordinals: Sequence[int]) -> None:
         """Take in that messages came, where nothing follows from any but the last of each robot."""
         self._sightings.together(messages, ordinals)

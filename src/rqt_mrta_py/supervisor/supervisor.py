@@ -32,6 +32,7 @@ from rqt_mrta_py.supervisor.failures import checked, failure
 from rqt_mrta_py.supervisor.journal import event_of_fact, event_of_incident, event_of_unreadable
 from rqt_mrta_py.supervisor.message_key import MessageKey, key_of
 from rqt_mrta_py.supervisor.news import event_news, fact_news, incident_news
+from rqt_mrta_py.supervisor.repeats import Repeats
 from rqt_mrta_py.supervisor.standing import Standing, assume
 from rqt_mrta_py.supervisor.team import Team, TeamSetup
 from rqt_mrta_py.supervisor.topics import Topics
@@ -45,6 +46,9 @@ class Supervisor:
     Time is the newest time of receipt; a message received earlier than one before it counts as received with that
     one. What falls due before a message happens before it and is dated when it fell due; a message received exactly
     then comes first.
+
+    Attributes:
+        repeats: tells which messages need not be heard one by one.
 
     Args:
         mission: as far as it is known; where it lists no robots or no tasks, they are admitted by first sight.
@@ -76,6 +80,9 @@ class Supervisor:
         self._team = Team(TeamSetup(robots, mission.tasks, topics.silence, mission.later_tasks), self._on_fact)
         self._ears = Ears(topics, self._team, self._enter, self.report)
         self._timekeeper = Timekeeper(topics, self._team, self._on_timing)
+        self.repeats = Repeats(
+            topics, self._team, self._ears, self._timekeeper, next_due=lambda: self.next_due, enter=self._enter
+        )
         self._start: Optional[float] = None
         self._message: MessageKey = ("", 0.0, -1)
         self._time_of_fact = 0.0
@@ -97,9 +104,10 @@ class Supervisor:
         Raises:
             HookError: the interpreter or a rule raises; names it. So do the callbacks.
         """
-        pairs = self._ears.listeners()
-        pairs += self._ears.listeners_for(self._interpreter, self._mission.architecture.package)
-        pairs += self._timekeeper.listeners()
+        ears, timing = self._ears.listeners(), self._timekeeper.listeners()
+        interpreter = self._ears.listeners_for(self._interpreter, self._mission.architecture.package)
+        self.repeats.sort(ears, interpreter, timing, getattr(self._interpreter, "repeats_matter", True))
+        pairs = [*ears, *interpreter, *timing]
         for name, rule in self._rules.items():
             pairs += [(wish, self._hears_rule(name)) for wish in _wishes(name, rule)]
         return pairs
@@ -284,6 +292,7 @@ class Supervisor:
 
     def _on_fact(self, fact: Fact, why: str) -> None:
         self._changes += 1
+        self.repeats.note(fact)
         if self._assuming:
             self._desk.notice(fact)
             return
@@ -298,6 +307,7 @@ class Supervisor:
 
     def _on_timing(self, fact: Fact) -> None:
         self._changes += 1
+        self.repeats.note(fact)
         self._desk.notice(fact)
 
     def _on_opened(self, incident: Incident) -> None:

@@ -48,18 +48,19 @@ class Dispatcher:
         self._ordinals: Dict[str, Iterator[int]] = {}
         self._reported: Set[Tuple[Connection, int]] = set()
 
-    def subscribe(self, subscription: Subscription, callback: Callable[[Heard], None]) -> None:
+    def subscribe(self, subscription: Subscription, callback: Callable[[Heard], None], each: bool = True) -> None:
         """Hand all messages from now on that a subscription means to a callback.
 
         Args:
             subscription: its topic may hold tokens or be EVERYTHING; a relative one stands in the root namespace.
             callback: is told of each message, in the order of the stream.
+            each: False if messages that say the same again may be passed over, by ``glance`` and ``pass_over``.
 
         Raises:
             TransportError: the topic is no name that ROS accepts.
         """
         pattern = TopicPattern(resolve_topic(subscription.topic, _ROOT))
-        self._wishes.append(Wish(len(self._wishes), pattern, subscription, callback))
+        self._wishes.append(Wish(len(self._wishes), pattern, subscription, callback, each))
         self._forget_routes()
 
     def watch(self, sighting: Callable[[Sequence[Connection]], Sighting]) -> None:
@@ -83,6 +84,32 @@ class Dispatcher:
         """
         connection, receipt_ns, raw = stamped
         self._take(self._by_identity.get(id(connection)) or self._route(connection), receipt_ns / 1_000_000_000, raw)
+
+    def wishes_for(self, connection: Connection) -> Tuple[Sequence[MetWish], bool]:
+        """Say who hears the messages of a connection, and whether there is something to complain of still."""
+        route = self._route(connection)
+        return route.met, bool(route.complaints)
+
+    def glance(self, stamped: Stamped, ahead: Callable[[str, float, int], None]) -> None:
+        """Hand one message that says nothing new to those who want each; nobody is told that it came.
+
+        Args:
+            stamped: the next message of the stream.
+            ahead: is told its topic, receipt [s] and ordinal before anybody hears it.
+        """
+        connection, receipt_ns, raw = stamped
+        route = self._by_identity.get(id(connection)) or self._route(connection)
+        receipt, ordinal = receipt_ns / 1_000_000_000, next(route.ordinals)
+        ahead(connection.topic, receipt, ordinal)
+        self._hand_on(route, route.each, receipt, ordinal, raw)
+
+    def ordinals(self, connection: Connection) -> Iterator[int]:
+        """Count the messages of a connection's topic: taking one counts a message that is handed on in no other way."""
+        return self._route(connection).ordinals
+
+    def pass_over(self, connection: Connection, messages: int) -> None:
+        """Count messages of a connection's topic that nobody wants to hear."""
+        next(islice(self._route(connection).ordinals, messages - 1, None))
 
     def feed_all(
         self,
@@ -141,21 +168,21 @@ class Dispatcher:
         for sight in route.sightings:
             sight(receipt, (ordinal,))
         if route.met:
-            self._hand_on(route, receipt, ordinal, raw)
+            self._hand_on(route, route.met, receipt, ordinal, raw)
 
     def _hear(self, route: Route, receipt: float, ordinal: int, raw: bytes) -> None:
         """Hand on one message of which those who watch are told at another time."""
         if route.complaints:
             self._complain_first(route, receipt, ordinal)
         if route.met:
-            self._hand_on(route, receipt, ordinal, raw)
+            self._hand_on(route, route.met, receipt, ordinal, raw)
 
-    def _hand_on(self, route: Route, receipt: float, ordinal: int, raw: bytes) -> None:
-        """Hand one message to all who hear it; who wants the same of it is handed the same."""
+    def _hand_on(self, route: Route, met: Sequence[MetWish], receipt: float, ordinal: int, raw: bytes) -> None:
+        """Hand one message to those who hear it; who wants the same of it is handed the same."""
         connection = route.connection
         topic, type_name, caller = connection.topic, connection.type, connection.caller
         made: Dict[Tuple[str, ...], Heard] = {}
-        for callback, robot, task, paths, reader, wish in route.met:
+        for callback, robot, task, paths, reader, wish in met:
             heard = made.get(paths)
             if heard is None:
                 try:
@@ -213,6 +240,7 @@ class Dispatcher:
             else:
                 met.append(MetWish(wish.callback, tokens[0], tokens[1], paths, reader, wish))
         route.met = tuple(met)
+        route.each = tuple(each for each in met if each.wish.each)
         route.reads = any(wish.reader is not None for wish in met)
         route.sightings = tuple([sighting((connection,)) for sighting in self._watchers])
         return route

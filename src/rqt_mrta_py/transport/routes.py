@@ -11,12 +11,13 @@ __all__ = ["Complaint", "MetWish", "Route", "Wish"]
 
 
 class Wish(NamedTuple):
-    """A subscription with whom to tell."""
+    """A subscription with whom to tell; ``each`` is False where messages that say the same again may be passed over."""
 
     number: int
     pattern: TopicPattern
     subscription: Subscription
     callback: Callable[[Heard], None]
+    each: bool = True
 
 
 class MetWish(NamedTuple):
@@ -47,17 +48,19 @@ class Route:
         ordinals: of its topic, which several connections may share; taking one counts a message.
         sightings: who is told that one came.
         met: who hears it, in the order of subscribing.
+        each: those of them who want to hear it even if it says nothing new.
         reads: whether any of these wants something of the content.
         complaints: not said yet.
     """
 
-    __slots__ = ("complaints", "connection", "met", "ordinals", "reads", "sightings")
+    __slots__ = ("complaints", "connection", "each", "met", "ordinals", "reads", "sightings")
 
     def __init__(self, connection: Connection, ordinals: Iterator[int]) -> None:
         self.connection = connection
         self.ordinals = ordinals
         self.sightings: Tuple[Sighting, ...] = ()
         self.met: Tuple[MetWish, ...] = ()
+        self.each: Tuple[MetWish, ...] = ()
         self.reads = False
         self.complaints: List[Complaint] = []
 

@@ -7,4 +7,5 @@
   alone, ``apart`` in a process of their own
 * ``live``: what live supervision costs, against a master of its own
 * ``loop``, ``load``, ``parts``: how fast a simulated mission runs, with how much to do, and where its time goes
+* ``review``, ``review_load``: how fast bags are reviewed, and what they hold
 """

@@ -16,6 +16,7 @@ def mrta_register_benchmarks() -> Mapping[str, Benchmark]:
     return {
         "live": Benchmark("What live supervision costs, how quick and how safe it is.", _live_arguments, _live),
         "loop": Benchmark("How fast a simulated mission runs, everything on.", _loop_arguments, _loop),
+        "review": Benchmark("How fast bags are reviewed, beside rosbag.", _review_arguments, _review),
     }
 
 
@@ -39,5 +40,17 @@ def _loop_arguments(parser: ArgumentParser) -> None:
 
 def _loop(options: Namespace, _laboratory: Laboratory) -> BenchmarkTable:
     from rqt_mrta_py.app.bench.loop import measure
+
+    return measure(options)
+
+
+def _review_arguments(parser: ArgumentParser) -> None:
+    from rqt_mrta_py.app.bench.review import add_arguments
+
+    add_arguments(parser)
+
+
+def _review(options: Namespace, _laboratory: Laboratory) -> BenchmarkReport:
+    from rqt_mrta_py.app.bench.review import measure
 
     return measure(options)

@@ -6,21 +6,21 @@ from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.model import MissionRecord
 from rqt_mrta_py.render import draw_communication, write_picture
 from rqt_mrta_py.supervisor import communication, recorded_communication
-from rqt_mrta_py.transport import BagInfo
+from rqt_mrta_py.transport import Spans
 
 __all__ = ["write_communication"]
 
 
-def write_communication(folder: OutputFolder, bag: BagInfo, record: MissionRecord, picture: bool) -> None:
-    """Write what nodes say on which topics, as the bag's index tells it.
+def write_communication(folder: OutputFolder, spans: Spans, record: MissionRecord, picture: bool) -> None:
+    """Write what nodes say on which topics.
 
     Args:
         folder: where to.
-        bag: what it holds.
+        spans: what has been heard of whom.
         record: of the mission, which knows the robots.
         picture: whether to draw it too.
     """
-    graph = recorded_communication(bag.spans)
+    graph = recorded_communication(spans)
     folder.write_json("communication.json", communication(graph))
     if picture and graph.flows:
         robots = tuple(robot.id for robot in record.robots)

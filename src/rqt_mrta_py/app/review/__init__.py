@@ -1,4 +1,8 @@
 """Review a recorded mission: from bags to the outputs of a run.
 
-* ``review``: the whole of it
+* ``review``: the whole of it; ``request``: what is asked for; ``choice``: which messages that means
+* ``recordings``: bags as one stream, whole or not
+* ``subject``: what they are about; ``inference``: if nobody says so
+* ``taking``: their messages on the way; ``skimming``: how they are taken in; ``habits``: which say anything new
+* ``moments``: when a picture is drawn; ``account``: what was read, and why so
 """

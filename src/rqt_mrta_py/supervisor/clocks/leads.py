@@ -10,9 +10,9 @@ from typing import List, Optional
 from rqt_mrta_py.hooks import Heard
 from rqt_mrta_py.supervisor.agenda import whole_nanoseconds
 
-__all__ = ["LeadWatch", "Verdict", "tolerance_of"]
+__all__ = ["LEAST_TOLERANCE", "LeadWatch", "Verdict", "tolerance_of"]
 
-_LEAST_TOLERANCE = 0.5
+LEAST_TOLERANCE = 0.5
 """Computers that are set by NTP agree to milliseconds, but a busy one may take so long for a message [s]."""
 _ENOUGH = 3
 """Messages that must agree before anything is said."""
@@ -29,7 +29,7 @@ def tolerance_of(timeout: float) -> float:
         Half of that, at least 0.5 s: a clock that is off by more makes others believe a robot dead that is alive, or
         alive that is dead, for half as long again [s].
     """
-    return max(_LEAST_TOLERANCE, timeout / 2.0)
+    return max(LEAST_TOLERANCE, timeout / 2.0)
 
 
 class Verdict(Enum):

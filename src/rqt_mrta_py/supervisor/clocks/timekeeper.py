@@ -13,7 +13,7 @@ from rqt_mrta_py.supervisor.readers import TopicReader
 from rqt_mrta_py.supervisor.team import Team
 from rqt_mrta_py.supervisor.topics import Topics
 
-__all__ = ["Timekeeper"]
+__all__ = ["Timekeeper", "Voice"]
 
 _STAMP = "header/stamp"
 
@@ -21,7 +21,7 @@ _TopicKey = Tuple[str, str]
 """Name and type of a monitored topic."""
 
 
-class _Voice(NamedTuple):
+class Voice(NamedTuple):
     """One robot on one monitored topic.
 
     Attributes:
@@ -30,6 +30,7 @@ class _Voice(NamedTuple):
         watch: judges its stamps.
         pulse: how it speaks, on a topic that says that it is idle.
         busy: how it speaks elsewhere, on a topic that says that it is busy; may grow.
+        timeout: how long a message of it counts [s].
     """
 
     robot: str
@@ -37,6 +38,12 @@ class _Voice(NamedTuple):
     watch: LeadWatch
     pulse: Optional[Pulse]
     busy: Sequence[Pulse]
+    timeout: float
+
+    @property
+    def is_missed(self) -> bool:
+        """Whether there is a gap that its next message ends."""
+        return (self.pulse is not None and self.pulse.silent) or any(pulse.silent for pulse in self.busy)
 
 
 class Timekeeper:
@@ -49,14 +56,16 @@ class Timekeeper:
 
     Attributes:
         next_due: when somebody is missed if nothing comes until then [s]; infinity if nobody is.
+        latest: whose message came last, of those that tell a robot; None if of no robot of the team.
     """
 
     def __init__(self, topics: Topics, team: Team, emit: Callable[[Fact], None]) -> None:
         self.next_due = math.inf
+        self.latest: Optional[Voice] = None
         self._topics = topics
         self._team = team
         self._emit = emit
-        self._voices: Dict[Tuple[str, _TopicKey], _Voice] = {}
+        self._voices: Dict[Tuple[str, _TopicKey], Voice] = {}
         self._pulses: Dict[str, List[Pulse]] = {}
 
     def listeners(self) -> List[Tuple[Subscription, Callable[[Heard], None]]]:
@@ -83,10 +92,6 @@ class Timekeeper:
             self._emit(fact)
         self.look_again()
 
-    def look_again(self) -> None:
-        """Look when somebody is truly missed; until then messages have only put that off."""
-        self.next_due = min((pulse.due for pulses in self._pulses.values() for pulse in pulses), default=math.inf)
-
     def finish(self) -> None:
         """Tell the latest of clocks that are off, when the stream has ended."""
         for voice in self._voices.values():
@@ -96,7 +101,7 @@ class Timekeeper:
     def _hears(self, reader: TopicReader) -> Callable[[Heard], None]:
         team, path, timeout = self._team, reader.robot_path, reader.timeout
         # By the text that names the robot, whatever that is in a stranger's message.
-        voices: Dict[Any, _Voice] = {}
+        voices: Dict[Any, Voice] = {}
 
         # Comes with each message of the team's robots: for all but a few it is a look at the stamp.
         def hear(heard: Heard) -> None:
@@ -106,10 +111,12 @@ class Timekeeper:
             except (KeyError, TypeError):
                 met = self._meet(reader, heard)
                 if met is None:
+                    self.latest = None
                     return
                 voice = met
                 if not path or isinstance(fields[path], str):
                     voices[(fields[path] if path else "") or heard.robot] = voice
+            self.latest = voice
             stamp = fields.get(_STAMP)
             if stamp and isinstance(stamp, float):
                 watch = voice.watch
@@ -124,7 +131,28 @@ class Timekeeper:
 
         return hear
 
-    def _meet(self, reader: TopicReader, heard: Heard) -> Optional[_Voice]:
+    def hear_again(self, voice: Voice, now: float, heard: Heard) -> bool:
+        """Take in a message that says what the one before it said, with a stamp within the tolerance.
+
+        Args:
+            voice: whose.
+            now: when it was received [s]; nothing has fallen due before.
+            heard: it, without its fields.
+
+        Returns:
+            Whether ``next_due`` may have changed.
+        """
+        noted = False
+        if voice.pulse is not None and voice.pulse.hear(now, heard):
+            self._note(voice.pulse, heard)
+            noted = True
+        for pulse in voice.busy:
+            if pulse.hear_busy(now, now + voice.timeout, heard):
+                self._note(pulse, heard)
+                noted = True
+        return noted
+
+    def _meet(self, reader: TopicReader, heard: Heard) -> Optional[Voice]:
         """Find out whose message it is; None if of no robot of the team."""
         robot = reader.robot_of(heard)
         if robot not in self._team.robots:
@@ -139,11 +167,11 @@ class Timekeeper:
             if pulse is not None:
                 pulses.append(pulse)
             watch = LeadWatch(tolerance_of(reader.timeout))
-            voice = _Voice(robot, reader.topic.name, watch, pulse, pulses if is_busy else ())
+            voice = Voice(robot, reader.topic.name, watch, pulse, pulses if is_busy else (), reader.timeout)
             self._voices[robot, key] = voice
         return voice
 
-    def _judge(self, voice: _Voice, lead: float, heard: Heard) -> None:
+    def _judge(self, voice: Voice, lead: float, heard: Heard) -> None:
         verdict = voice.watch.judge(self._team.now, lead, heard)
         if verdict is Verdict.OFF:
             self._tell_off(voice)
@@ -151,7 +179,7 @@ class Timekeeper:
             message = evidence(voice.watch.right)
             self._emit(ClockRight(message.stamp, voice.robot, voice.topic, message))
 
-    def _tell_off(self, voice: _Voice) -> None:
+    def _tell_off(self, voice: Voice) -> None:
         watch = voice.watch
         messages = evidence(watch.first), evidence(watch.newest)
         self._emit(ClockOff(self._team.now, voice.robot, voice.topic, watch.tell(), watch.tolerance, *messages))

@@ -30,6 +30,9 @@ _SUBSCRIPTIONS = (
 class AllianceInterpreter:
     """Reads Motivation messages, and announcements for who else is on a task."""
 
+    # What a message says of one robot and one task holds until another one says it differently.
+    repeats_matter = False
+
     def __init__(self, setup: InterpreterSetup) -> None:
         """Start knowing nothing; robots and tasks need not be known beforehand."""
         self._holding: Set[Tuple[str, str]] = set()

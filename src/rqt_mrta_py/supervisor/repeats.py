@@ -1,0 +1,208 @@
+"""Repeats: messages that say what the one before them said, of which only the last before anything changes counts.
+
+A robot says ten times a second what it does. Each such message puts off when that expires, and does no more; so who
+reads a recording hears the last of them alone, as long as nothing falls due, and comes to the same.
+"""
+
+from __future__ import annotations
+
+import math
+from enum import Enum
+from typing import Callable, Dict, FrozenSet, Iterable, List, Optional, Sequence, Tuple
+
+from rqt_mrta_py.hooks import (
+    AllocationEnded,
+    AllocationStarted,
+    Connection,
+    Fact,
+    Heard,
+    RobotHeard,
+    RobotSilent,
+    RobotStateChanged,
+    Subscription,
+    TaskStateChanged,
+)
+from rqt_mrta_py.supervisor.agenda import Due, Entry, due_after
+from rqt_mrta_py.supervisor.clocks import Timekeeper, Voice
+from rqt_mrta_py.supervisor.ears import Callback, Ears
+from rqt_mrta_py.supervisor.message_key import MessageKey, key_of
+from rqt_mrta_py.supervisor.team import Team
+from rqt_mrta_py.supervisor.topics import Topics
+
+__all__ = ["Attention", "Repeats", "look_again"]
+
+_TURNS = (AllocationEnded, AllocationStarted, RobotHeard, RobotSilent, RobotStateChanged, TaskStateChanged)
+"""Facts after which a message that repeats another one may say something new."""
+
+_Pairs = Sequence[Tuple[Subscription, Callback]]
+
+
+class Attention(Enum):
+    """Which of the messages that repeat one another somebody must hear."""
+
+    LAST = "last"
+    """The last before anything changes: the others only put off what falls due."""
+    EACH = "each"
+    """Each, in its order; nothing follows from it for robots, tasks or allocations."""
+    TIMED = "timed"
+    """Each, but of those whose stamps are as they should be only when it was received."""
+    AT_ONCE = "at_once"
+    """Each, and all that came before on any topic must have been taken in by then."""
+
+
+class Repeats:
+    """Tells when messages need not be heard one by one, and takes in that they came.
+
+    Attributes:
+        turns: how often robots, tasks and allocations have changed; until then repeats say nothing new.
+
+    Args:
+        topics: of the architecture.
+        team: see ``Team``.
+        ears: know whose messages come on a connection.
+        timekeeper: holds receipts against one another.
+        next_due: when something happens without a message [s].
+        enter: lets time pass up to a message.
+    """
+
+    def __init__(
+        self,
+        topics: Topics,
+        team: Team,
+        ears: Ears,
+        timekeeper: Timekeeper,
+        *,
+        next_due: Callable[[], float],
+        enter: Callable[[MessageKey], None],
+    ) -> None:
+        self.turns = 0
+        self._topics = topics
+        self._team = team
+        self._ears = ears
+        self._timekeeper = timekeeper
+        self._next_due = next_due
+        self._enter = enter
+        self._facts = 0
+        self._attention: Dict[Callback, Attention] = {}
+
+    def sort(self, ears: _Pairs, interpreter: _Pairs, timing: _Pairs, repeats_matter: bool) -> None:
+        """Take note of who hears what.
+
+        Args:
+            ears: what monitored topics say.
+            interpreter: what the architecture's own messages say.
+            timing: who holds receipts against one another.
+            repeats_matter: whether the interpreter must hear each message.
+        """
+        again: List[Subscription] = []
+        once: List[Subscription] = []
+        topics = self._topics
+        for reader in (*topics.busy, *topics.idle, *topics.allocated):
+            # What another id stands for may change without a word here.
+            (again if reader.table is None else once).append(reader.subscription())
+        once += [reader.subscription() for reader in (*topics.incoming, *topics.completed, *topics.failed)]
+        habitual = frozenset(again) - frozenset(once)
+        for wish, callback in ears:
+            self._attention[callback] = Attention.LAST if wish in habitual else Attention.AT_ONCE
+        self._sort_all(interpreter, Attention.AT_ONCE if repeats_matter else Attention.LAST)
+        self._sort_all(timing, Attention.TIMED)
+
+    def attention(self, callback: Callback) -> Attention:
+        """Say which of the messages that repeat one another somebody must hear."""
+        return self._attention.get(callback, Attention.EACH)
+
+    def note(self, fact: Fact) -> None:
+        """Take note of a fact."""
+        self._facts += 1
+        self.turns += isinstance(fact, _TURNS)
+
+    @property
+    def stirrings(self) -> int:
+        """How often a message said anything that mattered, or would have, had it not been late."""
+        return self._facts + self._team.book.late
+
+    def quiet_until(self, enough: float) -> float:
+        """Say until when nothing follows from messages that repeat one another but that they were heard [s].
+
+        Args:
+            enough: a later time need not be looked for [s].
+
+        Returns:
+            A time up to which nothing falls due, as far as is known now; minus infinity if something is to be settled.
+            Robots that count as silent are another matter.
+        """
+        book = self._team.book
+        if not self._team.robots or book.unsettled or book.expired:
+            return -math.inf
+        if self._next_due() < enough:
+            look_again(self._team, self._topics.silence)
+            self._timekeeper.look_again()
+        return self._next_due()
+
+    @property
+    def robots(self) -> int:
+        """How many robots are watched by now; none before the stream has begun."""
+        return len(self._team.robots)
+
+    @property
+    def silent_robots(self) -> FrozenSet[str]:
+        """Ids of the robots that count as silent, so that it matters when they are heard."""
+        return frozenset(robot.id for robot in self._team.robots.values() if robot.silent)
+
+    def owner(self, connection: Connection) -> str:
+        """Give the id of the robot whose messages come on a connection; empty if of none that is known so far."""
+        return self._ears.owner(connection)
+
+    @property
+    def voice(self) -> Optional[Voice]:
+        """Whose message came last, of those that are timed; None if of no robot of the team."""
+        return self._timekeeper.latest
+
+    def hear_again(self, voice: Voice, heard: Heard) -> bool:
+        """Take in a message that is timed and says what the one before it said.
+
+        Args:
+            voice: whose.
+            heard: it, without its fields.
+
+        Returns:
+            Whether something may fall due earlier than before.
+        """
+        if voice.is_missed:
+            self._enter(key_of(heard))
+        return self._timekeeper.hear_again(voice, heard.receipt, heard)
+
+    def reach(self, message: MessageKey) -> None:
+        """Let time pass up to a message that nobody hears who would do so."""
+        self._enter(message)
+
+    def _sort_all(self, pairs: Iterable[Tuple[Subscription, Callback]], attention: Attention) -> None:
+        self._attention.update((callback, attention) for _, callback in pairs)
+
+
+def look_again(team: Team, silence: float) -> None:
+    """Look when that which stands first on a team's agenda is truly due, until it is the one that falls due first.
+
+    Args:
+        team: settled, with no allocation that has expired.
+        silence: how long a robot says nothing until it counts as lost [s].
+    """
+    agenda = team.agenda
+    while agenda.next < math.inf:
+        due = _true_due(team, agenda.first, silence)
+        if due is None or due <= agenda.next:
+            return
+        agenda.put_off(due)
+
+
+def _true_due(team: Team, entry: Entry, silence: float) -> Optional[float]:
+    """Say when an entry falls due as things stand [s]; None if it stands for nothing any more."""
+    kind, robot_id, task_id = entry
+    if kind is Due.ROBOT_STATE:
+        return team.robots[robot_id].fresh_until
+    if kind is Due.SILENCE:
+        return due_after(team.robots[robot_id].heard_at, silence)
+    if not robot_id:
+        return team.tasks[task_id].anonymous_until
+    hold = team.book.find(robot_id, task_id)
+    return None if hold is None or hold.expired is not None else hold.due
