@@ -36,7 +36,8 @@ p {margin: .3rem 0}
 .verdict {font-weight: 600; border-left: .35rem solid var(--good); padding: .4rem .8rem}
 .verdict.worse {border-color: var(--bad); background: var(--badly)}
 table {border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums}
-th, td {text-align: left; padding: .25rem .6rem; border-bottom: 1px solid var(--line); vertical-align: top}
+th, td {text-align: left; padding: .25rem .6rem; border-bottom: 1px solid var(--line); vertical-align: top;
+  overflow-wrap: break-word}
 th.n, td.n {text-align: right; white-space: nowrap}
 tr.worse td {background: var(--badly)}
 tr.worse td:last-child {color: var(--bad); font-weight: 600}
@@ -55,6 +56,7 @@ summary {cursor: pointer}
   h2, h3 {break-after: avoid}
   tr, svg {break-inside: avoid}
   svg {min-width: 0}
+  th, td {overflow-wrap: anywhere}
   * {print-color-adjust: exact}
 }
 """
