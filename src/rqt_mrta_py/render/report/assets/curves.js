@@ -26,17 +26,33 @@ function paintCurves(row, names, plot) {
     if (path) plot.append(draw('path', {d: path, class: `curve t${curve.colour}`}));
   }
 }
+// Where points crowd, a column of pixels has its lowest and its highest only, in their order.
 function strokes(row, [times, levels]) {
   const first = Math.max(lastUntil(times, look.from), 0), last = Math.min(lastUntil(times, look.to) + 1, times.length - 1);
+  const short = (value) => Math.round(value * 10) / 10;
   const pieces = [];
+  let column = null;
+  const finish = () => {
+    if (!column) return;
+    const [from, to] = column.low[0] <= column.high[0] ? [column.low, column.high] : [column.high, column.low];
+    pieces.push(`${column.down ? 'L' : 'M'}${short(from[0])},${short(from[1])}L${short(to[0]) + (column.lone ? 0.1 : 0)},${short(to[1])}`);
+    column = null;
+  };
   let down = false;
   for (let at = first; at <= last; at++) {
-    if (levels[at] < 0) { down = false; continue; }
-    const x = xOf(times[at]).toFixed(1), y = yOf(row, levels[at]).toFixed(1);
-    const lone = !down && (at === last || levels[at + 1] < 0);
-    pieces.push(`${down ? 'L' : 'M'}${x},${y}${lone ? 'h0.01' : ''}`);
+    if (levels[at] < 0) { finish(); down = false; continue; }
+    const point = [xOf(times[at]), yOf(row, levels[at])], place = Math.floor(point[0]);
+    if (column && column.place === place) {
+      column.lone = false;
+      if (point[1] < column.low[1]) column.low = point;
+      if (point[1] > column.high[1]) column.high = point;
+      continue;
+    }
+    finish();
+    column = {place, low: point, high: point, down, lone: !down && (at === last || levels[at + 1] < 0)};
     down = true;
   }
+  finish();
   return pieces.join('');
 }
 function curveDots(row, time) {

@@ -44,7 +44,7 @@ function rowsInSight() {
   const tall = shown.height > 3000 && !shown.all;
   rowsBox.classList.toggle('tall', tall);
   if (!tall) return shown.rows.filter((row) => row.top < 6000);
-  const from = rowsBox.scrollTop - 100, to = rowsBox.scrollTop + rowsBox.clientHeight + 100;
+  const from = rowsBox.scrollTop - 100, to = rowsBox.scrollTop + Math.max(rowsBox.clientHeight, innerHeight) + 100;
   return shown.rows.filter((row) => row.top + row.height > from && row.top < to);
 }
 
@@ -157,7 +157,7 @@ const rowPainters = {
     let last = -9;
     robot.times.forEach((from, at) => {
       const bar = span(from, at + 1 < robot.times.length ? robot.times[at + 1] : end);
-      if (!bar || bar.left + bar.width < last + 0.5) return;
+      if (!bar || bar.left + bar.width < last + 1) return;
       const state = data.names.robots[robot.states[at]], thick = {busy: 5, idle: 3, offline: 1.5}[state];
       plot.append(draw('rect', {x: bar.left, y: bottom + (5 - thick) / 2, width: bar.width, height: thick, class: `fill-${state}`}));
       last = bar.left + bar.width;
@@ -184,7 +184,7 @@ const rowPainters = {
     let last = -9;
     task.times.forEach((from, at) => {
       const to = at + 1 < task.times.length ? task.times[at + 1] : end, bar = span(from, to);
-      if (!bar || bar.left + bar.width < last + 0.5) return;
+      if (!bar || bar.left + bar.width < last + 1) return;
       last = bar.left + bar.width;
       const state = data.names.tasks[task.states[at]], busy = state === 'executing' || state === 'allocated';
       const thick = busy ? 14 : 4;
@@ -249,7 +249,10 @@ rowsBox.addEventListener('pointermove', (event) => {
 });
 rowsBox.addEventListener('pointerleave', () => { hideTip(); painted.hover.setAttribute('x1', -9); painted.hover.setAttribute('x2', -9); });
 rowsBox.addEventListener('scroll', () => { if (rowsBox.classList.contains('tall')) repaint('rows', 'cursor'); });
-rowsBox.addEventListener('dblclick', (event) => zoom(event.shiftKey ? 2.5 : 0.4, timeAt(Math.max(localX(rowsBox, event), geometry.gutter))));
+// No dblclick: what was clicked first has been drawn anew by then, and browsers take that for another place.
+rowsBox.addEventListener('mousedown', (event) => {
+  if (event.detail === 2) zoom(event.shiftKey ? 2.5 : 0.4, timeAt(Math.max(localX(rowsBox, event), geometry.gutter)));
+});
 rowsBox.addEventListener('wheel', (event) => {
   const sideways = event.shiftKey && !event.deltaX ? event.deltaY : event.deltaX;
   if (event.ctrlKey || event.metaKey) {
