@@ -1,11 +1,17 @@
 from __future__ import annotations
 
 import json
+import tempfile
 from pathlib import Path
-from typing import Any, Callable, Dict
+from typing import Any, Callable, Dict, Optional
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
+from rqt_mrta_py.app.compare.comparison import compare
+from rqt_mrta_py.app.compare.document import document
+from rqt_mrta_py.app.compare.page import page
 from rqt_mrta_py.app.compare.side import read_side
 from rqt_mrta_py.errors import ConfigError
 from tests.app.compare.summaries import allocation, folder, incident, summary
@@ -55,6 +61,10 @@ def test_what_is_no_summary_is_told_in_one_line(tmp_path: Path) -> None:
         (b'{"schema": "other/1"}', "its schema is 'other/1', not 'rqt_mrta_py/summary/1'"),
         (b'{"schema": NaN}', "NaN is no JSON"),
         (b"[" * 100_000, "it is nested too deeply"),
+        (
+            b'{"schema": "\\uD800"}',
+            "'utf-8' codec can't encode character '\\ud800' in position 12: surrogates not allowed",
+        ),
     ):
         file.write_bytes(content)
         assert complaint(file) == f"{file}: is no summary of a run or review: {what}; {ADVICE}"
@@ -108,3 +118,41 @@ def test_numbers_beyond_all_bounds_are_told(tmp_path: Path) -> None:
     text = json.dumps(summary()).replace("101.0", "1e999")
     (path / "summary.json").write_text(text, encoding="utf-8")
     assert "time/end: must be a number [s] (got inf)" in complaint(path)
+
+
+def test_a_whole_character_may_be_written_as_two_escapes(tmp_path: Path) -> None:
+    content = {**summary(), "application": "yard \U0001f916"}
+    path = folder(tmp_path, "a", content)
+    assert "\\ud83e" in (path / "summary.json").read_text()
+    assert read_side(path).application == "yard \U0001f916"
+
+
+JSON = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=3),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=3), inner, max_size=3),
+    max_leaves=6,
+)
+
+
+@settings(max_examples=50)
+@given(st.sampled_from(sorted(summary())), st.sampled_from([None, "id", "from", "robots", "outcome", "start"]), JSON)
+def test_whatever_stands_in_a_summary_is_read_or_told(key: str, inner: Optional[str], value: Any) -> None:
+    content = summary(
+        allocations=[allocation("dig", "r1", 1.0, 2.0)], incidents=[incident("odd", "info", 1.0, ["r1"], ["dig"])]
+    )
+    held = content[key]
+    if inner is not None and held and isinstance(held, list):
+        held[0][inner] = value
+    else:
+        content[key] = value
+    with tempfile.TemporaryDirectory() as made:
+        path = Path(made) / "summary.json"
+        path.write_text(json.dumps(content), encoding="utf-8")
+        try:
+            side = read_side(path)
+        except ConfigError:
+            return
+    comparison = compare(side, side)
+    assert comparison.worse == ()
+    assert page(comparison, 1.0).encode("utf-8")
+    json.dumps(document(comparison, 1.0), allow_nan=False)

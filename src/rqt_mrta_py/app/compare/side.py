@@ -177,6 +177,9 @@ def _json(file: Path) -> Mapping[str, Any]:
     raw = read_file(file)
     try:
         content = json.loads(raw.decode("utf-8"), parse_constant=_refuse)
+        if b"\\ud" in raw.lower():
+            # Half a character, written as an escape, could be written nowhere else.
+            json.dumps(content, ensure_ascii=False).encode("utf-8")
     except RecursionError as error:
         raise none("it is nested too deeply") from error
     except ValueError as error:
