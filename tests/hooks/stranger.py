@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from argparse import ArgumentParser, Namespace
+from dataclasses import replace
 from typing import Any, BinaryIO, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
@@ -221,6 +222,7 @@ class Farewells:
 class AnyAllocation:
     def __init__(self, setup: RuleSetup) -> None:
         self.name = setup.mission.application.name
+        self.causes = f"moles that dig for {setup.pace.brief:g} s or longer"
 
     def subscriptions(self) -> Sequence[Subscription]:
         return ()
@@ -370,6 +372,10 @@ class Stranger:
     @hookimpl
     def mrta_register_allocation_interpreters(self) -> Mapping[str, Any]:
         return {"stranger": Farewells}
+
+    @hookimpl
+    def mrta_register_allocation_paces(self) -> Mapping[str, Any]:
+        return {"stranger": lambda mission, usual: replace(usual, brief=1.0 + len(mission.tasks))}
 
     @hookimpl
     def mrta_register_behaviours(self) -> Mapping[str, Any]:

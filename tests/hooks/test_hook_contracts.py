@@ -101,6 +101,11 @@ def test_hook_mrta_register_allocation_interpreters_says_how_an_allocation_ended
     assert (ended.time, ended.state, ended.text) == (2.0, "gave_up", "mole1 has given up dig: too hard")
 
 
+def test_hook_mrta_register_allocation_paces_says_what_rules_measure_by(story: Story) -> None:
+    (incident,) = story.record.incidents
+    assert incident.causes == "moles that dig for 2 s or longer"
+
+
 def test_hook_mrta_register_behaviours_carries_out_its_kind_and_tells_the_cost(story: Story) -> None:
     assert [fields["data"] for fields in said(story, "/mole1/claim/dig")] == ["3.0 m"] * 5
     driven = [fields["linear"]["x"] for fields in said(story, "/mole1/cmd_vel")]

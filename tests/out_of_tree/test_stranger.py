@@ -189,6 +189,11 @@ def test_hook_mrta_register_incident_rules(run: Run) -> None:
     assert {each["text"] for each in incidents} == {"work in the Garden"}
 
 
+def test_hook_mrta_register_allocation_paces(run: Run) -> None:
+    incidents = run.json("summary.json")["incidents"]
+    assert {each["causes"] for each in incidents} == {"moles that take it up within 42 s"}
+
+
 def test_hook_mrta_register_statistics(run: Run) -> None:
     assert run.json("summary.json")["statistics"]["gave_up"] == 2
 

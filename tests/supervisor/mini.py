@@ -9,6 +9,7 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Seque
 from rqt_mrta_py.hooks import (
     EVERYTHING,
     AllocationInterpreter,
+    AllocationPace,
     AllocationSign,
     Connection,
     Heard,
@@ -91,9 +92,12 @@ class Stream:
         interpreter: Optional[AllocationInterpreter] = None,
         rules: Optional[Mapping[str, IncidentRuleFactory]] = None,
         statistics: Optional[Mapping[str, Statistic]] = None,
+        pace: Optional[AllocationPace] = None,
     ) -> None:
         self.events: List[Event] = []
-        self.supervisor = Supervisor(of or mission(), interpreter, rules or {}, statistics or {}, self.events.append)
+        self.supervisor = Supervisor(
+            of or mission(), interpreter, rules or {}, statistics or {}, self.events.append, pace=pace
+        )
         self._listeners: List[Tuple[re.Pattern[str], Subscription, Callable[[Heard], None]]] = []
         for subscription, callback in self.supervisor.listeners():
             self._listeners.append((_pattern(subscription.topic), subscription, callback))

@@ -130,10 +130,23 @@ def test_makespan_is_told_once_every_task_is_over() -> None:
 def test_rules_and_statistics_come_through_the_hooks_that_everybody_uses() -> None:
     manager = PluginManager()
     manager.register(plugin, "supervisor")
-    assert set(manager.registered("mrta_register_incident_rules")) == {
+    rules = manager.registered("mrta_register_incident_rules")
+    assert list(rules) == [
+        "busy_without_task",
+        "duration_overrun",
+        "flipping_allocation",
+        "illegal_state_change",
         "message_from_the_future",
         "message_from_the_past",
         "robot_silent_with_task",
+        "robot_with_two_tasks",
+        "task_completed_twice",
+        "task_held_by_nobody",
+        "task_held_by_two_robots",
         "topic_gap",
-    }
+        "unequal_share",
+        "unknown_robot",
+        "unknown_task",
+    ]
+    assert all(rule.causes.endswith(".") for rule in rules.values())
     assert manager.registered("mrta_register_statistics") == STATISTICS

@@ -73,6 +73,9 @@ def test_summary_is_the_documented_one() -> None:
                     {"topic": COMMUNICATION, "stamp": 1.1, "index": 0},
                     {"topic": COMMUNICATION, "stamp": 4.0, "index": 1},
                 ],
+                "causes": (
+                    "The robot's computer, battery or radio has failed, its nodes were stopped, or it is out of reach."
+                ),
             }
         ],
         "statistics": {"a_third": 0.333333333, "twice": 4},
@@ -84,7 +87,7 @@ def test_summary_is_the_documented_one() -> None:
 
 def test_event_lines_tell_every_change_in_order() -> None:
     lines = event_lines(story().finish().events)
-    assert list(lines[0]) == ["time", "kind", "severity", "robot", "task", "state", "text"]
+    assert list(lines[0]) == ["time", "kind", "severity", "robot", "task", "state", "text", "causes"]
     assert [(line["time"], line["text"]) for line in lines] == [
         (1.1, "robot1 is busy"),
         (1.1, "robot1 has taken patrol"),

@@ -12,10 +12,13 @@ from typing import Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence
 
 from rqt_mrta_py.app.guard import GuardedMeasure, GuardedPanel, made
 from rqt_mrta_py.app.observers import observers_of
+from rqt_mrta_py.errors import HookError
 from rqt_mrta_py.hooks import (
     EVERYTHING,
     AllocationInterpreter,
     AllocationInterpreterFactory,
+    AllocationPace,
+    AllocationPaceFactory,
     Codec,
     Connection,
     FieldReader,
@@ -35,12 +38,12 @@ from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Event, Mission, MissionRecord
 from rqt_mrta_py.render import SceneTracker
 from rqt_mrta_py.render.report import fine_panel
-from rqt_mrta_py.supervisor import Attention, Supervisor, team_news
+from rqt_mrta_py.supervisor import Attention, Supervisor, team_news, usual_pace
 from rqt_mrta_py.transport import Batch, Dispatcher
 from rqt_mrta_py.transport.patterns import TopicPattern
 from rqt_mrta_py.wording import accepted
 
-__all__ = ["CURVE_WINDOW", "Habit", "Observation", "interpreter_for", "measures_for", "with_measures"]
+__all__ = ["CURVE_WINDOW", "Habit", "Observation", "interpreter_for", "measures_for", "pace_for", "with_measures"]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
@@ -105,6 +108,7 @@ class Observation:
             rules=manager.registered("mrta_register_incident_rules"),
             statistics=manager.registered("mrta_register_statistics"),
             on_event=self._on_event,
+            pace=pace_for(mission, manager),
         )
         models: Mapping[str, RobotModel] = manager.registered("mrta_register_robot_models")
         self._scene = SceneTracker(mission, models)
@@ -281,6 +285,27 @@ def interpreter_for(mission: Mission, manager: PluginManager) -> Optional[Alloca
         f"allocation interpreter of {package}", factories[package], setup, "subscriptions", "hear"
     )
     return interpreter
+
+
+def pace_for(mission: Mission, manager: PluginManager) -> AllocationPace:
+    """Tell how fast a mission's tasks are shared out when all is well: what its architecture's plugin says, if any.
+
+    Raises:
+        HookError: the plugin's part raises or answers something else; names it.
+    """
+    usual = usual_pace(mission.architecture)
+    factories: Dict[str, AllocationPaceFactory] = manager.registered("mrta_register_allocation_paces")
+    package = mission.architecture.package
+    if package not in factories:
+        return usual
+    who = f"allocation pace of {package}"
+    try:
+        pace = factories[package](mission, usual)
+    except Exception as error:
+        raise HookError(f"{who}: {type(error).__name__}: {error}") from error
+    if not isinstance(pace, AllocationPace):
+        raise HookError(f"{who}: returned {pace!r}; accepted is AllocationPace")
+    return pace
 
 
 def measures_for(mission: Mission, manager: PluginManager) -> Dict[str, GuardedMeasure]:

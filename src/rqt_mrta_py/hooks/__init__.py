@@ -6,7 +6,7 @@
 * ``stream``: messages, subscriptions, the codec's Protocol
 * ``agent``, ``allocator``, ``behaviour``, ``evaluator``, ``navigator``, ``robot_sensor``: on the robot
 * ``world``, ``robot_model``, ``sensor``, ``link``: in simulation
-* ``allocation``, ``incident``, ``statistic``, ``measure``: in supervision
+* ``allocation``, ``pace``, ``incident``, ``oddity``, ``statistic``, ``measure``: in supervision
 * ``picture``, ``figure``: in pictures; ``curve_trace`` collects what a panel will show
 * ``parameters``: read and checked
 * ``exporter``, ``observer``: what else hears a mission
@@ -24,6 +24,7 @@ from rqt_mrta_py.hooks.allocation import (
     AllocationInterpreter,
     AllocationInterpreterFactory,
     AllocationSign,
+    Applicability,
     InterpreterSetup,
 )
 from rqt_mrta_py.hooks.allocator import AllocationProblem, Allocator
@@ -72,6 +73,15 @@ from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.hooks.measure import Measure, MeasureFactory, MeasureSetup
 from rqt_mrta_py.hooks.navigator import CostField, Navigator, PlannerFactory, PlannerSetup
 from rqt_mrta_py.hooks.observer import MessageObserverFactory, ObserverSetup
+from rqt_mrta_py.hooks.oddity import (
+    AllocationExpired,
+    TaskApplicability,
+    TaskClaimed,
+    TaskEndTold,
+    UnknownRobotNamed,
+    UnknownTaskNamed,
+)
+from rqt_mrta_py.hooks.pace import AllocationPace, AllocationPaceFactory
 from rqt_mrta_py.hooks.parameters import ParameterProblem, ParameterRangeError, read_fields, wrong_parameters
 from rqt_mrta_py.hooks.picture import (
     BodySight,
@@ -131,13 +141,17 @@ __all__ = [
     "AgentFactory",
     "AgentSetup",
     "AllocationEnded",
+    "AllocationExpired",
     "AllocationInterpreter",
     "AllocationInterpreterFactory",
+    "AllocationPace",
+    "AllocationPaceFactory",
     "AllocationProblem",
     "AllocationSign",
     "AllocationStarted",
     "Allocator",
     "AnyOutgoing",
+    "Applicability",
     "Behaviour",
     "BehaviourFactory",
     "BehaviourSetup",
@@ -235,6 +249,9 @@ __all__ = [
     "Stamped",
     "Statistic",
     "Subscription",
+    "TaskApplicability",
+    "TaskClaimed",
+    "TaskEndTold",
     "TaskReport",
     "TaskStateChanged",
     "TeamCost",
@@ -247,6 +264,8 @@ __all__ = [
     "TopicHeard",
     "TopicSilent",
     "Trial",
+    "UnknownRobotNamed",
+    "UnknownTaskNamed",
     "UsageError",
     "Verb",
     "World",

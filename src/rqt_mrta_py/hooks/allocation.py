@@ -7,12 +7,18 @@ them and answers in the supervisor's.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable, NamedTuple, Optional, Protocol, Sequence, Tuple
+from typing import Callable, NamedTuple, Optional, Protocol, Sequence, Tuple, Union
 
 from rqt_mrta_py.hooks.stream import Heard, Subscription
 from rqt_mrta_py.model import Outcome
 
-__all__ = ["AllocationInterpreter", "AllocationInterpreterFactory", "AllocationSign", "InterpreterSetup"]
+__all__ = [
+    "AllocationInterpreter",
+    "AllocationInterpreterFactory",
+    "AllocationSign",
+    "Applicability",
+    "InterpreterSetup",
+]
 
 
 class AllocationSign(NamedTuple):
@@ -29,6 +35,20 @@ class AllocationSign(NamedTuple):
     task: str
     outcome: Optional[Outcome] = None
     text: str = ""
+
+
+class Applicability(NamedTuple):
+    """What one message says of whether a robot can carry out a task now; to be told when it changes.
+
+    Attributes:
+        robot: normalised id; empty: of all robots.
+        task: its id.
+        applicable: whether it can; what nobody has said counts as true.
+    """
+
+    robot: str
+    task: str
+    applicable: bool
 
 
 @dataclass(frozen=True)
@@ -51,8 +71,8 @@ class AllocationInterpreter(Protocol):
         """Say what to hear; asked once. Names must be absolute or patterns."""
         ...
 
-    def hear(self, heard: Heard) -> Sequence[AllocationSign]:
-        """Answer what one message says of allocations; usually nothing."""
+    def hear(self, heard: Heard) -> Sequence[Union[AllocationSign, Applicability]]:
+        """Answer what one message says of allocations, or of who can carry out what; usually nothing."""
         ...
 
 

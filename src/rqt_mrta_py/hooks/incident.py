@@ -2,9 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Callable, NamedTuple, Optional, Protocol, Sequence, Union
 
+from rqt_mrta_py.hooks.oddity import (
+    AllocationExpired,
+    TaskApplicability,
+    TaskClaimed,
+    TaskEndTold,
+    UnknownRobotNamed,
+    UnknownTaskNamed,
+)
+from rqt_mrta_py.hooks.pace import AllocationPace
 from rqt_mrta_py.hooks.stream import Heard, Subscription
 from rqt_mrta_py.model import Evidence, Mission, Outcome, RobotState, Severity, TaskState
 
@@ -28,12 +37,20 @@ __all__ = [
 
 
 class RobotStateChanged(NamedTuple):
-    """A robot's state changed at a time [s]."""
+    """A robot's state changed.
+
+    Attributes:
+        time: when [s].
+        robot: its id.
+        before, after: its states.
+        message: that says so; None where what an older one said has expired.
+    """
 
     time: float
     robot: str
     before: RobotState
     after: RobotState
+    message: Optional[Evidence] = None
 
 
 class RobotSilent(NamedTuple):
@@ -163,6 +180,12 @@ Fact = Union[
     TaskStateChanged,
     AllocationStarted,
     AllocationEnded,
+    AllocationExpired,
+    TaskApplicability,
+    TaskClaimed,
+    TaskEndTold,
+    UnknownRobotNamed,
+    UnknownTaskNamed,
     ClockOff,
     ClockRight,
     TopicSilent,
@@ -225,13 +248,26 @@ class IncidentBoard(Protocol):
 
 @dataclass(frozen=True)
 class RuleSetup:
-    """What a rule is made from: the mission as far as it is known."""
+    """What a rule is made from.
+
+    Attributes:
+        mission: as far as it is known.
+        pace: how fast its architecture shares out tasks when all is well.
+    """
 
     mission: Mission
+    pace: AllocationPace = field(default_factory=lambda: AllocationPace(handover=3.0))
 
 
 class IncidentRule(Protocol):
-    """One kind of thing that can go wrong."""
+    """One kind of thing that can go wrong.
+
+    Attributes:
+        causes: what usually is behind it, in a sentence or two; told with each of its incidents. A rule that has no
+            such attribute says nothing.
+    """
+
+    causes: str
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Say which messages to hear besides the facts; usually none. Names must be absolute or patterns."""

@@ -31,6 +31,7 @@ from rqt_mrta_py.hooks.link import LinkFactory
 from rqt_mrta_py.hooks.measure import MeasureFactory
 from rqt_mrta_py.hooks.navigator import PlannerFactory
 from rqt_mrta_py.hooks.observer import MessageObserverFactory
+from rqt_mrta_py.hooks.pace import AllocationPaceFactory
 from rqt_mrta_py.hooks.parameters import ParameterProblem
 from rqt_mrta_py.hooks.picture import MonitorPanelFactory, Renderer
 from rqt_mrta_py.hooks.robot_model import RobotModel
@@ -70,6 +71,17 @@ class HookSpecs:
         Returns: factory by the package name of the architecture; without one, topics alone decide.
         Combined: joined; the first registration of a name wins.
         An exception: stops the command.
+        """
+
+    @hookspec
+    def mrta_register_allocation_paces(self) -> Mapping[str, AllocationPaceFactory]:  # type: ignore[empty-body]
+        """Name who tells from an architecture's parameters how fast it shares out tasks when all is well.
+
+        Called: once, before supervision starts; the factory of the mission's architecture once.
+        Returns: factory by the package name of the architecture; without one, the timeouts of its monitored topics
+        decide. It is given the mission, whose parameters may be missing, and what those timeouts tell.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command; one raised by a factory stops it too.
         """
 
     @hookspec

@@ -3,7 +3,8 @@
 * ``supervisor``: hears the stream, drives the rest, gives records and messages; the place to begin
 * ``sightings``: that messages came, ``presence``: whose they are, ``message_key``: what points at one
 * ``ears``: what to hear, and what the team is told for it; ``statements``: what follows from what is stated
-* ``topics``, ``readers``, ``joins``, ``values``: which topics an architecture has, how their messages tell robots and tasks
+* ``topics``, ``readers``, ``joins``, ``values``: which topics an architecture has, how their messages tell robots and
+  tasks
 * ``team``: derives facts; ``robots``, ``tasks``, ``allocations`` keep one thing each, ``timeline`` their histories
 * ``standing``: how a team stands, as another supervisor tells whoever comes late
 * ``agenda``: what falls due when; ``repeats``: messages that only put it off
@@ -23,6 +24,7 @@ from rqt_mrta_py.supervisor.repeats import Attention
 from rqt_mrta_py.supervisor.standing import Standing, standing_of
 from rqt_mrta_py.supervisor.summary import event_lines, incident_lines, summary
 from rqt_mrta_py.supervisor.supervisor import Supervisor
+from rqt_mrta_py.supervisor.topics import usual_pace
 from rqt_mrta_py.supervisor.traffic import Traffic, communication, recorded_communication
 
 __all__ = [
@@ -37,4 +39,5 @@ __all__ = [
     "standing_of",
     "summary",
     "team_news",
+    "usual_pace",
 ]

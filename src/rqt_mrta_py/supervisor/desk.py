@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from heapq import heappop, heappush
-from typing import Callable, Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Callable, Dict, List, Mapping, Optional, Sequence, Set, Tuple
 
 from rqt_mrta_py.hooks import Fact, Heard, IncidentRule
 from rqt_mrta_py.model import Evidence, Incident, Severity
@@ -24,6 +24,7 @@ class _Entry:
     text: str
     robots: Tuple[str, ...]
     tasks: Tuple[str, ...]
+    causes: str
     evidence: Dict[Evidence, None] = field(default_factory=dict)
     end: Optional[float] = None
 
@@ -44,6 +45,7 @@ class _Entry:
             tasks=self.tasks,
             text=self.text,
             evidence=tuple(sorted(self.evidence, key=lambda each: (each.stamp, each.topic, each.index))),
+            causes=self.causes,
         )
         if self.end is not None:
             self.built = incident
@@ -53,9 +55,10 @@ class _Entry:
 class _Board:
     """One rule's board."""
 
-    def __init__(self, desk: Desk, rule: str) -> None:
+    def __init__(self, desk: Desk, rule: str, causes: str) -> None:
         self._desk = desk
         self._rule = rule
+        self._causes = causes
         self._open: Dict[str, _Entry] = {}
 
     def open(
@@ -75,7 +78,8 @@ class _Board:
         checked("a text", text, str)
         if not math.isfinite(start):
             raise ValueError(f"a start of {start!r} s; it must be finite")
-        entry = _Entry(self._rule, severity, start, text, tuple(sorted(set(robots))), tuple(sorted(set(tasks))))
+        whom, what = tuple(sorted(set(robots))), tuple(sorted(set(tasks)))
+        entry = _Entry(self._rule, severity, start, text, whom, what, self._causes)
         entry.add(evidence)
         self._open[key] = entry
         self._desk.put_up(entry)
@@ -116,12 +120,13 @@ class Desk:
         closed: Callable[[Incident], None],
     ) -> None:
         self._rules: Dict[str, Tuple[IncidentRule, _Board]] = {
-            name: (rules[name], _Board(self, name)) for name in sorted(rules)
+            name: (rules[name], _Board(self, name, _causes(name, rules[name]))) for name in sorted(rules)
         }
         self._opened = opened
         self._closed = closed
         self._entries: List[_Entry] = []
         self._wakes: List[Tuple[float, str]] = []
+        self._planned: Set[Tuple[float, str]] = set()
         self._waking: Optional[float] = None
         self.next_wake = math.inf
 
@@ -149,6 +154,7 @@ class Desk:
     def wake_next(self) -> None:
         """Wake the rule whose turn comes first."""
         time, name = heappop(self._wakes)
+        self._planned.discard((time, name))
         self._plan()
         self._wake(name, time)
 
@@ -183,7 +189,8 @@ class Desk:
         """
         if self._waking is not None and time <= self._waking:
             raise ValueError(f"wake_at({time}) within wake({self._waking}); ask for a later time")
-        if (time, name) not in self._wakes:
+        if (time, name) not in self._planned:
+            self._planned.add((time, name))
             heappush(self._wakes, (time, name))
             self._plan()
 
@@ -199,3 +206,15 @@ class Desk:
             raise failure(f"incident rule {name}", error, f"woken at {time}") from error
         finally:
             self._waking = None
+
+
+def _causes(name: str, rule: IncidentRule) -> str:
+    """Read what a rule says of what usually causes what it finds; rules need not say.
+
+    Raises:
+        HookError: it is no text; names the rule.
+    """
+    try:
+        return checked("what it says of causes", getattr(rule, "causes", ""), str)
+    except TypeError as error:
+        raise failure(f"incident rule {name}", error) from error

@@ -7,6 +7,7 @@ from typing import Callable, List, Optional, Sequence, Tuple
 from rqt_mrta_py.hooks import (
     AllocationInterpreter,
     AllocationSign,
+    Applicability,
     Connection,
     Heard,
     Sighting,
@@ -104,12 +105,18 @@ class Ears:
         def hear(heard: Heard) -> None:
             self._enter(key_of(heard))
             try:
-                signs = tuple(checked("a sign", sign, AllocationSign) for sign in reads.hear(heard))
+                signs = tuple(reads.hear(heard))
+                for sign in signs:
+                    if not isinstance(sign, Applicability):
+                        checked("a sign", sign, AllocationSign)
             except Exception as error:
                 raise failure(who, error, f"hearing {heard.topic}") from error
             for sign in signs:
                 self._hear_speaker(sign.robot, heard)
-                self._statements.signed(sign, heard)
+                if isinstance(sign, Applicability):
+                    self._statements.judged(sign)
+                else:
+                    self._statements.signed(sign, heard)
 
         try:
             return [(checked("a wish", wish, Subscription), hear) for wish in interpreter.subscriptions()]
@@ -124,7 +131,7 @@ class Ears:
         return hear
 
     def _reads(self, reader: TopicReader, hear: Callback) -> Tuple[Subscription, Callback]:
-        """Say what a reader wants and who hears it: only what counts, and not without a word what stands for no task."""
+        """Say what a reader wants and who hears it: only what counts, and what stands for no task is reported."""
         topic, table = reader.topic, reader.table
         if topic.condition is None and table is None:
             return reader.subscription(), hear
@@ -151,8 +158,11 @@ class Ears:
 
         def hear(heard: Heard) -> None:
             self._enter(key_of(heard))
-            robot = self._team.find_robot(reader.robot_of(heard))
-            if robot is not None:
+            robot_id = reader.robot_of(heard)
+            robot = self._team.find_robot(robot_id)
+            if robot is None:
+                self._statements.wonder_at_robot(robot_id, heard)
+            else:
                 self._team.hear(robot, key_of(heard))
                 self._team.renew(robot, RobotState.BUSY, timeout)
                 if allocates:
@@ -165,8 +175,11 @@ class Ears:
 
         def hear(heard: Heard) -> None:
             self._enter(key_of(heard))
-            robot = self._team.find_robot(reader.robot_of(heard))
-            if robot is not None:
+            robot_id = reader.robot_of(heard)
+            robot = self._team.find_robot(robot_id)
+            if robot is None:
+                self._statements.wonder_at_robot(robot_id, heard)
+            else:
                 self._team.hear(robot, key_of(heard))
                 self._team.renew(robot, RobotState.IDLE, timeout)
 

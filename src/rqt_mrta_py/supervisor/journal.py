@@ -60,6 +60,7 @@ def event_of_incident(incident: Incident, time: float) -> Event:
         robot=incident.robots[0] if len(incident.robots) == 1 else None,
         task=incident.tasks[0] if len(incident.tasks) == 1 else None,
         state=incident.rule,
+        causes=incident.causes or None,
     )
 
 

@@ -113,6 +113,7 @@ def incident_news(incident: Incident, noticed: float, ended: bool) -> Tuple[Outg
         "evidence_topics": [each.topic for each in incident.evidence],
         "evidence_stamps": [each.stamp for each in incident.evidence],
         "evidence_indices": [each.index for each in incident.evidence],
+        "causes": incident.causes,
     }
     return (INCIDENT.message(fields),)
 

@@ -4,8 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rqt_mrta_py.hooks import AllocationSign, Heard
+from rqt_mrta_py.hooks import (
+    AllocationSign,
+    Applicability,
+    Heard,
+    TaskApplicability,
+    TaskClaimed,
+    TaskEndTold,
+    UnknownRobotNamed,
+    UnknownTaskNamed,
+)
 from rqt_mrta_py.model import Outcome, Progress, TaskState
+from rqt_mrta_py.supervisor.message_key import evidence
 from rqt_mrta_py.supervisor.tasks import TaskWatch
 from rqt_mrta_py.supervisor.team import Team
 from rqt_mrta_py.supervisor.values import stamp_of
@@ -64,11 +74,16 @@ class Statements:
             team.prolong(hold, timeout, heard)
             return
         task = team.find_task(task_id)
-        if task is None or task.ended:
+        if task is None:
+            self._wonder_at_task(task_id, robot_id, heard)
+            return
+        if task.ended:
+            team.tell(TaskClaimed(team.now, robot_id, task_id, task.state, evidence(heard)))
             return
         if not robot_id:
             team.hold_anonymously(task, timeout)
             return
+        self.wonder_at_robot(robot_id, heard)
         robot = team.find_robot(robot_id)
         if robot is not None and not team.is_late(robot_id, task_id, stamp_of(heard)):
             team.hold(robot, task, timeout, heard)
@@ -81,6 +96,9 @@ class Statements:
             heard: the message.
         """
         team = self._team
+        known = team.tasks.get(sign.task) if sign.outcome is Outcome.DONE else None
+        if known is not None:
+            self._tell_end(sign.robot, known, TaskState.DONE, heard)
         hold = team.book.find(sign.robot, sign.task)
         if hold is None:
             return
@@ -94,6 +112,17 @@ class Statements:
         else:
             team.update_task(task, hold.expired)
 
+    def judged(self, sign: Applicability) -> None:
+        """Take in whether a robot can carry out a task now, as an architecture's own message says."""
+        team = self._team
+        if sign.task in team.tasks and (not sign.robot or sign.robot in team.robots):
+            team.tell(TaskApplicability(team.now, sign.robot, sign.task, sign.applicable))
+
+    def wonder_at_robot(self, robot_id: str, heard: Heard) -> None:
+        """Take in that a message names a robot; nothing follows if it is of the team, or if it names none."""
+        if robot_id and not self._team.admits(robot_id):
+            self._team.tell(UnknownRobotNamed(self._team.now, robot_id, evidence(heard)))
+
     def reported(self, report: Report, heard: Heard) -> None:
         """Take in how a task goes, or what an operator wants of it.
 
@@ -105,8 +134,10 @@ class Statements:
         if report.progress is Progress.APPEARED:
             team.appear(report.task)
             return
+        self.wonder_at_robot(report.robot, heard)
         task = team.find_task(report.task)
         if task is None:
+            self._wonder_at_task(report.task, report.robot, heard)
             return
         hold = team.book.find(report.robot, report.task)
         signed = stamp_of(heard) or team.now
@@ -114,6 +145,7 @@ class Statements:
             if hold is not None:
                 team.prolong(hold, self._hold, heard)
         elif report.progress is Progress.UNREACHABLE:
+            self.judged(Applicability(report.robot, report.task, False))
             if hold is not None:
                 team.end(hold, Outcome.FAILED, report.detail, signed=signed)
                 team.update_task(task, hold.expired)
@@ -122,8 +154,11 @@ class Statements:
                 if other is not hold:
                     team.end(other, Outcome.PREEMPTED, report.detail, signed=signed)
             team.update_task(task)
-        elif task.allows(_ENDINGS[report.progress][1]):
-            self._finish(task, report, signed)
+        else:
+            after = _ENDINGS[report.progress][1]
+            self._tell_end(report.robot, task, after, heard)
+            if task.allows(after):
+                self._finish(task, report, signed)
 
     def _finish(self, task: TaskWatch, report: Report, signed: float) -> None:
         outcome, after = _ENDINGS[report.progress]
@@ -133,3 +168,10 @@ class Statements:
             self._team.end(hold, told, report.detail, signed=signed)
         task.anonymous_until = self._team.now
         self._team.change_task(task, after, report.detail)
+
+    def _tell_end(self, robot_id: str, task: TaskWatch, told: TaskState, heard: Heard) -> None:
+        self._team.tell(TaskEndTold(self._team.now, robot_id, task.id, task.state, told, evidence(heard)))
+
+    def _wonder_at_task(self, task_id: str, robot_id: str, heard: Heard) -> None:
+        if task_id:
+            self._team.tell(UnknownTaskNamed(self._team.now, task_id, robot_id, evidence(heard)))

@@ -73,6 +73,7 @@ def event_lines(events: Iterable[Event]) -> List[Dict[str, Any]]:
                 "task": event.task,
                 "state": event.state,
                 "text": event.text,
+                "causes": event.causes,
             }
         )
         for event in events
@@ -94,6 +95,7 @@ def _incident(incident: Incident) -> Dict[str, Any]:
         "tasks": incident.tasks,
         "text": incident.text,
         "evidence": [{"topic": each.topic, "stamp": each.stamp, "index": each.index} for each in incident.evidence],
+        "causes": incident.causes,
     }
 
 

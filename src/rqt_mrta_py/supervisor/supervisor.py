@@ -8,7 +8,10 @@ from typing import Callable, List, Mapping, Optional, Sequence, Set, Tuple
 
 from rqt_mrta_py.errors import HookError
 from rqt_mrta_py.hooks import (
+    AllocationEnded,
     AllocationInterpreter,
+    AllocationPace,
+    AllocationStarted,
     Connection,
     Fact,
     Heard,
@@ -35,9 +38,11 @@ from rqt_mrta_py.supervisor.news import event_news, fact_news, incident_news
 from rqt_mrta_py.supervisor.repeats import Repeats
 from rqt_mrta_py.supervisor.standing import Standing, assume
 from rqt_mrta_py.supervisor.team import Team, TeamSetup
-from rqt_mrta_py.supervisor.topics import Topics
+from rqt_mrta_py.supervisor.topics import Topics, usual_pace
 
 __all__ = ["Supervisor"]
+
+_NEWS = (RobotStateChanged, TaskStateChanged, AllocationStarted, AllocationEnded)
 
 
 class Supervisor:
@@ -56,6 +61,7 @@ class Supervisor:
         rules: factories of incident rules by name.
         statistics: functions of the finished record by name.
         on_event: takes each event when it is noticed.
+        pace: how fast the architecture shares out tasks when all is well, for rules; None: as its topics tell.
 
     Raises:
         HookError: a rule cannot be made; names it.
@@ -68,14 +74,17 @@ class Supervisor:
         rules: Mapping[str, IncidentRuleFactory],
         statistics: Mapping[str, Statistic],
         on_event: Callable[[Event], None],
+        *,
+        pace: Optional[AllocationPace] = None,
     ) -> None:
         self._mission = mission
         self._interpreter = interpreter
         self._statistics = statistics
         self._on_event = on_event
-        self._rules = {name: _made(name, factory, mission) for name, factory in sorted(rules.items())}
-        self._desk = Desk(self._rules, self._on_opened, self._on_closed)
         topics = self._topics = Topics(mission.architecture)
+        setup = RuleSetup(mission, usual_pace(mission.architecture) if pace is None else pace)
+        self._rules = {name: _made(name, factory, setup) for name, factory in sorted(rules.items())}
+        self._desk = Desk(self._rules, self._on_opened, self._on_closed)
         robots = tuple(robot.id for robot in mission.application.robots)
         self._team = Team(TeamSetup(robots, mission.tasks, topics.silence, mission.later_tasks), self._on_fact)
         self._ears = Ears(topics, self._team, self._enter, self.report)
@@ -296,6 +305,9 @@ class Supervisor:
         if self._assuming:
             self._desk.notice(fact)
             return
+        if not isinstance(fact, _NEWS):
+            self._desk.notice(fact)
+            return
         robot = self._team.robots.get(getattr(fact, "robot", ""))
         last_heard = robot.last_heard if isinstance(fact, RobotStateChanged) and robot is not None else None
         holders = self._team.book.holders(fact.task) if isinstance(fact, TaskStateChanged) else ()
@@ -349,9 +361,9 @@ def _collector(events: List[Event]) -> Callable[[Fact, str], None]:
     return collect
 
 
-def _made(name: str, factory: IncidentRuleFactory, mission: Mission) -> IncidentRule:
+def _made(name: str, factory: IncidentRuleFactory, setup: RuleSetup) -> IncidentRule:
     try:
-        return factory(RuleSetup(mission))
+        return factory(setup)
     except Exception as error:
         raise failure(f"incident rule {name}", error, "being made") from error
 

@@ -8,6 +8,7 @@ from typing import Callable, Dict, Optional, Tuple
 
 from rqt_mrta_py.hooks import (
     AllocationEnded,
+    AllocationExpired,
     AllocationStarted,
     Fact,
     Heard,
@@ -94,6 +95,10 @@ class Team:
             robot = self.robots[robot_id] = RobotWatch(robot_id, len(self.robots), self._start)
         return robot
 
+    def admits(self, robot_id: str) -> bool:
+        """Tell whether a robot is of the team, or would be by first sight."""
+        return robot_id in self.robots or not self._setup.robots
+
     def find_task(self, task_id: str) -> Optional[TaskWatch]:
         """Give a task by its id, admitting one that is listed for later; None if it is not of the mission.
 
@@ -119,7 +124,8 @@ class Team:
         """Take in that a robot is busy or idle now, and for how long this counts [s]."""
         after = robot.renew(state, self.now + timeout)
         if after is not robot.state:
-            self._change_robot(robot, after, self.now)
+            said = None if robot.last_heard is None else Evidence(*robot.last_message)
+            self._change_robot(robot, after, self.now, said)
             self.agenda.put(robot.fresh_until, robot.order, (Due.ROBOT_STATE, robot.id, ""))
 
     def appear(self, task_id: str) -> None:
@@ -131,6 +137,10 @@ class Team:
         elif task_id:
             self._admit_task(task_id)
             self._emit(TaskStateChanged(self.now, task_id, TaskState.WAITING, TaskState.WAITING), "")
+
+    def tell(self, fact: Fact) -> None:
+        """Tell a fact that changes nothing: what a message says that does not fit."""
+        self._emit(fact, "")
 
     def change_task(self, task: TaskWatch, after: TaskState, why: str = "", time: Optional[float] = None) -> None:
         """Let a task's state change.
@@ -277,10 +287,10 @@ class Team:
         task = self.tasks[task_id] = TaskWatch(task_id, len(self.tasks), self.now, robots)
         return task
 
-    def _change_robot(self, robot: RobotWatch, after: RobotState, time: float) -> None:
+    def _change_robot(self, robot: RobotWatch, after: RobotState, time: float, said: Optional[Evidence] = None) -> None:
         before = robot.state
         time = robot.timeline.change(after, time)
-        self._emit(RobotStateChanged(time, robot.id, before, after), "")
+        self._emit(RobotStateChanged(time, robot.id, before, after, said), "")
         for hold in self.book.of_robot(robot.id):
             self.update_task(self.tasks[hold.task], time)
 
@@ -318,6 +328,7 @@ class Team:
             self._lose(hold, due)
         else:
             self.book.expire(hold, due)
+            self._emit(AllocationExpired(due, robot_id, task_id), "")
 
     def _expire_anonymous(self, task: TaskWatch, due: float) -> None:
         if task.anonymous_until > due:

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from typing import FrozenSet
 
+from rqt_mrta_py.hooks import AllocationPace
 from rqt_mrta_py.model import ArchitectureSpec
 from rqt_mrta_py.supervisor.joins import join_tables
 from rqt_mrta_py.supervisor.readers import allocation_readers, robot_readers, task_readers
 
-__all__ = ["Topics"]
+__all__ = ["Topics", "usual_pace"]
 
 _MINIMUM_SILENCE = 2.0
+_LONGEST_HOLD = 3600.0
 
 
 class Topics:
@@ -49,3 +51,17 @@ class Topics:
     def naming(self) -> FrozenSet[str]:
         """Topics whose messages name the robot that speaks."""
         return frozenset(reader.topic.name for reader in (*self.busy, *self.idle) if reader.robot_path)
+
+
+def usual_pace(architecture: ArchitectureSpec) -> AllocationPace:
+    """Tell how fast tasks are shared out, as far as timeouts of monitored topics tell.
+
+    All of it in times that one message keeps an allocation going: after two of them what is still held has been said
+    anew since it changed hands; five are a try; fifteen are long for a robot with nothing to do.
+
+    Args:
+        architecture: declares the topics.
+    """
+    hold = Topics(architecture).hold
+    hold = hold if 0.0 < hold < _LONGEST_HOLD else _MINIMUM_SILENCE
+    return AllocationPace(handover=2.0 * hold, uptake=15.0 * hold, brief=5.0 * hold)

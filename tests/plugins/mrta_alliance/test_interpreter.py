@@ -8,7 +8,7 @@ from typing import Any, Callable, Dict, List, Tuple
 import pytest
 from mrta_alliance.interpreter import AllianceInterpreter
 
-from rqt_mrta_py.hooks import AllocationSign, Heard, InterpreterSetup, Subscription
+from rqt_mrta_py.hooks import AllocationSign, Applicability, Heard, InterpreterSetup, Subscription
 from rqt_mrta_py.model import Outcome
 from tests.plugins.mrta_alliance.team import announced
 
@@ -66,10 +66,20 @@ def test_set_that_was_not_active_says_nothing() -> None:
 def test_set_that_is_active_no_longer_says_why(flags: Dict[str, bool], outcome: Outcome) -> None:
     reader = interpreter()
     reader.hear(felt(1.0, True))
-    (sign,) = reader.hear(felt(1.2, False, **flags))
+    sign, *further = reader.hear(felt(1.2, False, **flags))
+    assert isinstance(sign, AllocationSign)
     assert (sign.robot, sign.task, sign.outcome) == ("one", "patrol", outcome)
     assert sign.text
+    assert further == ([] if flags.get("applicable", True) else [Applicability("one", "patrol", False)])
     assert list(reader.hear(felt(1.4, False, **flags))) == []
+
+
+def test_task_that_is_no_longer_applicable_and_is_again_is_told_once_each() -> None:
+    reader = interpreter()
+    assert list(reader.hear(felt(1.0, False))) == []
+    assert reader.hear(felt(1.2, False, applicable=False)) == (Applicability("one", "patrol", False),)
+    assert list(reader.hear(felt(1.4, False, applicable=False))) == []
+    assert reader.hear(felt(1.6, False)) == (Applicability("one", "patrol", True),)
 
 
 @pytest.mark.parametrize(
@@ -88,6 +98,7 @@ def test_acquiescent_set_yields_if_another_robot_is_on_the_task(
     reader.hear(felt(7.0, True))
     reader.hear(announced(who, task, at))
     (sign,) = reader.hear(felt(10.0, False, acquiescent=True))
+    assert isinstance(sign, AllocationSign)
     assert sign.outcome is outcome
 
 
@@ -97,6 +108,7 @@ def test_yielding_names_the_others_in_order() -> None:
     for who in ("two", "three"):
         reader.hear(announced(who, "patrol", 9.0))
     (sign,) = reader.hear(felt(10.0, False, acquiescent=True))
+    assert isinstance(sign, AllocationSign)
     assert sign.text == "acquiescent: yields to three, two"
 
 
@@ -135,7 +147,11 @@ def test_interpreter_reads_a_recording_of_the_original_nodes(shared_data: Callab
             message = bag.deserialize(raw, connection.msgtype)
             fields = {path: field(message, path) for path in wish.fields}
             heard = Heard(connection.topic, wish.type, (stamp - start) / 1e9, fields)
-            ends += [(heard.receipt, s.robot, s.task, s.outcome) for s in reader.hear(heard) if s.outcome]
+            ends += [
+                (heard.receipt, s.robot, s.task, s.outcome)
+                for s in reader.hear(heard)
+                if isinstance(s, AllocationSign) and s.outcome
+            ]
     assert [end[1:] for end in ends] == [
         ("robot1", "patrol", Outcome.GAVE_UP),
         ("robot2", "inspect", Outcome.GAVE_UP),

@@ -7,7 +7,7 @@ from mrta_demir_cf.interpreter import DemirCfInterpreter
 from mrta_demir_cf.message_kinds import CancelReason, Kind
 from mrta_demir_cf.messages import Speaker
 
-from rqt_mrta_py.hooks import AllocationSign, Heard, InterpreterSetup
+from rqt_mrta_py.hooks import AllocationSign, Applicability, Heard, InterpreterSetup
 from rqt_mrta_py.model import Outcome
 from tests.plugins.mrta_demir_cf.script import as_heard
 
@@ -48,14 +48,22 @@ def interpreter() -> DemirCfInterpreter:
 def test_word_that_ends_an_allocation_says_how(
     interpreter: DemirCfInterpreter, last: Heard, outcome: Outcome, text: str
 ) -> None:
-    assert interpreter.hear(last) == [AllocationSign("a", "t", outcome, text)]
-    assert interpreter.hear(last) == []
+    assert interpreter.hear(last)[0] == AllocationSign("a", "t", outcome, text)
+    assert not [sign for sign in interpreter.hear(last) if isinstance(sign, AllocationSign)]
+
+
+def test_task_that_one_robot_cannot_get_to_is_for_nobody_until_it_is_new_again(interpreter: DemirCfInterpreter) -> None:
+    assert interpreter.hear(heard("c", Kind.UNACHIEVABILITY, "t", map_stamp=1.0)) == [Applicability("", "t", False)]
+    assert interpreter.hear(heard("c", Kind.NEW_TASK, "t", place=(1.0, 2.0), map_stamp=1.0)) == [
+        Applicability("", "t", True)
+    ]
 
 
 def test_every_reason_has_an_outcome(interpreter: DemirCfInterpreter) -> None:
     for reason in CancelReason:
         interpreter.hear(execution("a", "t"))
         (sign,) = interpreter.hear(heard("a", Kind.CANCELLATION, "t", reason=reason.value))
+        assert isinstance(sign, AllocationSign)
         assert sign.outcome is not None
         assert sign.text != "without a reason"
 

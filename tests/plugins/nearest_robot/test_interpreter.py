@@ -1,20 +1,39 @@
 from __future__ import annotations
 
-from typing import List, Sequence
+from typing import List, Sequence, Union
 
 import pytest
 from nearest_robot.interpreter import NearestRobotInterpreter
 
-from rqt_mrta_py.hooks import AllocationSign, Heard, InterpreterSetup
+from rqt_mrta_py.hooks import AllocationSign, Applicability, Heard, InterpreterSetup
 from rqt_mrta_py.model import Outcome
 from tests.plugins.nearest_robot.team import bid
 
 
-def signs(*messages: Heard) -> Sequence[AllocationSign]:
-    """Give what an interpreter makes of the last of some messages."""
-    interpreter = NearestRobotInterpreter(InterpreterSetup((), ()))
-    answers: List[Sequence[AllocationSign]] = [interpreter.hear(message) for message in messages]
-    return answers[-1]
+def answer_to(*messages: Heard, tasks: Sequence[str] = ()) -> Sequence[Union[AllocationSign, Applicability]]:
+    """Give what an interpreter that knows of some tasks makes of the last of some messages."""
+    interpreter = NearestRobotInterpreter(InterpreterSetup((), tuple(tasks)))
+    return [interpreter.hear(message) for message in messages][-1]
+
+
+def signs(*messages: Heard) -> List[AllocationSign]:
+    """Give what it says of allocations."""
+    return [sign for sign in answer_to(*messages) if isinstance(sign, AllocationSign)]
+
+
+def test_first_bid_says_for_which_known_tasks_there_is_none() -> None:
+    assert answer_to(bid("a", {"t": 1.0}), tasks=("s", "t", "u")) == [
+        Applicability("a", "s", False),
+        Applicability("a", "u", False),
+    ]
+
+
+def test_bid_that_offers_other_tasks_than_before_says_so() -> None:
+    assert answer_to(bid("a", {"t": 1.0}), bid("a", {"t": 2.0}, 1.2)) == []
+    assert answer_to(bid("a", {"s": 3.0, "t": 1.0}), bid("a", {"t": 2.0, "u": 1.0}, 1.2)) == [
+        Applicability("a", "s", False),
+        Applicability("a", "u", True),
+    ]
 
 
 def test_bid_that_holds_a_task_says_that_it_goes_on() -> None:
@@ -66,4 +85,4 @@ def test_bid_that_holds_something_else_says_why(others: List[Heard], last: Heard
 
 
 def test_bid_that_contradicts_itself_says_nothing() -> None:
-    assert signs(bid("a", {"t": 1.0}, holding="t"), bid("a", {"t": float("inf")}, 1.2)) == ()
+    assert signs(bid("a", {"t": 1.0}, holding="t"), bid("a", {"t": float("inf")}, 1.2)) == []

@@ -7,7 +7,7 @@ from typing import Set
 
 from rqt_mrta_py.app.bench.message_counts import MessageCounts
 from rqt_mrta_py.app.compose import Host
-from rqt_mrta_py.app.observation import interpreter_for, measures_for, with_measures
+from rqt_mrta_py.app.observation import interpreter_for, measures_for, pace_for, with_measures
 from rqt_mrta_py.app.run.embedded import EmbeddedRun
 from rqt_mrta_py.hooks import Experiment, Trial
 from rqt_mrta_py.model import Event, Mission, ScenarioEventKind, TaskState
@@ -44,6 +44,7 @@ def carry_out(host: Host, experiment: Experiment, mission: Mission, duration: fl
             rules=manager.registered("mrta_register_incident_rules"),
             statistics=manager.registered("mrta_register_statistics"),
             on_event=unended.take_in,
+            pace=pace_for(mission, manager),
         )
         dispatcher = Dispatcher(codec, supervisor.report)
         dispatcher.watch(supervisor.sighting)

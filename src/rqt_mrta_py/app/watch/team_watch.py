@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import List, Optional
 
 from rqt_mrta_py.app.live.interest import Interest, TopicChoice
-from rqt_mrta_py.app.observation import interpreter_for
+from rqt_mrta_py.app.observation import interpreter_for, pace_for
 from rqt_mrta_py.app.watch.view import Display, WatchView
 from rqt_mrta_py.hooks import Codec, Heard, Stamped
 from rqt_mrta_py.hooks.manager import PluginManager
@@ -47,6 +47,7 @@ class TeamWatch:
             rules=manager.registered("mrta_register_incident_rules"),
             statistics={},
             on_event=self._events.append,
+            pace=pace_for(mission, manager),
         )
         self.traffic = Traffic()
         self._dispatcher = Dispatcher(codec, self._supervisor.report)

@@ -23,12 +23,19 @@ __all__ = ["RobotSilentWithTask"]
 class RobotSilentWithTask:
     """Puts up an error from the last message of a lost robot until it is heard again, and says who took over.
 
-    Usually the robot's computer, battery or radio has failed. Who takes over is the architecture's business; that
-    nobody does is what to worry about.
+    Who takes over is the architecture's business; that nobody does is what to worry about.
+
+    Fires: when a robot that holds a task says nothing on any topic for as long as a message on its busy and idle topics
+    counts at most, and at least 2 s. One incident for each task that it held; it lasts from its last message until the
+    robot is heard again.
+
+    Does not fire: for a robot that holds nothing; for one that is silent about its task, but heard on some other topic.
 
     Args:
         setup: not needed.
     """
+
+    causes = "The robot's computer, battery or radio has failed, its nodes were stopped, or it is out of reach."
 
     def __init__(self, setup: RuleSetup) -> None:
         self._start = 0.0

@@ -6,10 +6,10 @@ Works alike on our agents and on the original nodes.
 
 from __future__ import annotations
 
-from typing import Dict, Mapping, Sequence, Set, Tuple
+from typing import Dict, List, Mapping, Sequence, Set, Tuple, Union
 
 from mrta_alliance.messages import COMMUNICATION_TOPIC, COMMUNICATION_TYPE, MOTIVATION_TOPICS, MOTIVATION_TYPE
-from rqt_mrta_py.hooks import AllocationSign, Heard, InterpreterSetup, Subscription
+from rqt_mrta_py.hooks import AllocationSign, Applicability, Heard, InterpreterSetup, Subscription
 from rqt_mrta_py.model import Outcome, normalise_id
 
 __all__ = ["AllianceInterpreter"]
@@ -36,14 +36,15 @@ class AllianceInterpreter:
     def __init__(self, setup: InterpreterSetup) -> None:
         """Start knowing nothing; robots and tasks need not be known beforehand."""
         self._holding: Set[Tuple[str, str]] = set()
+        self._inapplicable: Set[Tuple[str, str]] = set()
         self._announced: Dict[str, Dict[str, float]] = {}
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Say what to hear: all robots' motivations and announcements."""
         return _SUBSCRIPTIONS
 
-    def hear(self, heard: Heard) -> Sequence[AllocationSign]:
-        """Answer whether a robot still holds a task, or how its time with it ended."""
+    def hear(self, heard: Heard) -> Sequence[Union[AllocationSign, Applicability]]:
+        """Answer whether a robot still holds a task, how its time with it ended, or whether it could take it."""
         robot = normalise_id(heard.fields["header/frame_id"])
         task = heard.fields["task_id"]
         if heard.topic == COMMUNICATION_TOPIC:
@@ -53,11 +54,18 @@ class AllianceInterpreter:
         if heard.fields["active"]:
             self._holding.add(key)
             return (AllocationSign(robot, task),)
-        if key not in self._holding:
+        applicable = heard.fields["applicable"]
+        if key not in self._holding and applicable is (key not in self._inapplicable):
             return ()
-        self._holding.remove(key)
-        outcome, text = self._ending(robot, task, heard.receipt, heard.fields)
-        return (AllocationSign(robot, task, outcome, text),)
+        signs: List[Union[AllocationSign, Applicability]] = []
+        if key in self._holding:
+            self._holding.remove(key)
+            outcome, text = self._ending(robot, task, heard.receipt, heard.fields)
+            signs.append(AllocationSign(robot, task, outcome, text))
+        if applicable is (key in self._inapplicable):
+            (self._inapplicable.discard if applicable else self._inapplicable.add)(key)
+            signs.append(Applicability(robot, task, applicable))
+        return tuple(signs)
 
     def _ending(self, robot: str, task: str, now: float, fields: Mapping[str, bool]) -> Tuple[Outcome, str]:
         if fields["acquiescent"]:

@@ -9,6 +9,7 @@ from mrta_alliance.agent import AllianceAgent
 from mrta_alliance.detailed_panel import DetailedPanel
 from mrta_alliance.figures import AllianceFigures
 from mrta_alliance.interpreter import AllianceInterpreter
+from mrta_alliance.pace import alliance_pace
 from mrta_alliance.panel import MotivationPanel
 from mrta_alliance.plots import AlliancePlots
 from mrta_alliance.reading import find_problems
@@ -16,6 +17,7 @@ from mrta_alliance.sensors import AnyMessage, Scan
 from rqt_mrta_py.hooks import (
     AgentFactory,
     AllocationInterpreterFactory,
+    AllocationPaceFactory,
     Benchmark,
     BenchmarkReport,
     ExporterFactory,
@@ -32,6 +34,7 @@ __all__ = [
     "mrta_check_parameters",
     "mrta_register_agents",
     "mrta_register_allocation_interpreters",
+    "mrta_register_allocation_paces",
     "mrta_register_benchmarks",
     "mrta_register_exporters",
     "mrta_register_figures",
@@ -52,6 +55,12 @@ def mrta_register_agents() -> Mapping[str, AgentFactory]:
 def mrta_register_allocation_interpreters() -> Mapping[str, AllocationInterpreterFactory]:
     """Name who reads motivations."""
     return {_ARCHITECTURE: AllianceInterpreter}
+
+
+@hookimpl
+def mrta_register_allocation_paces() -> Mapping[str, AllocationPaceFactory]:
+    """Name what tau, psi and expected durations mean for rules."""
+    return {_ARCHITECTURE: alliance_pace}
 
 
 @hookimpl

@@ -7,10 +7,22 @@ from typing import Any, Mapping, Sequence
 from nearest_robot.interpreter import NearestRobotInterpreter
 
 from mrta_baselines.agent import BaselineAgent
+from mrta_baselines.pace import baseline_pace
 from mrta_baselines.parameters import find_problems
-from rqt_mrta_py.hooks import AgentFactory, AllocationInterpreterFactory, ParameterProblem, hookimpl
+from rqt_mrta_py.hooks import (
+    AgentFactory,
+    AllocationInterpreterFactory,
+    AllocationPaceFactory,
+    ParameterProblem,
+    hookimpl,
+)
 
-__all__ = ["mrta_check_parameters", "mrta_register_agents", "mrta_register_allocation_interpreters"]
+__all__ = [
+    "mrta_check_parameters",
+    "mrta_register_agents",
+    "mrta_register_allocation_interpreters",
+    "mrta_register_allocation_paces",
+]
 
 _ARCHITECTURE = "mrta_baselines"
 
@@ -25,6 +37,12 @@ def mrta_register_agents() -> Mapping[str, AgentFactory]:
 def mrta_register_allocation_interpreters() -> Mapping[str, AllocationInterpreterFactory]:
     """Name who reads bids."""
     return {_ARCHITECTURE: NearestRobotInterpreter}
+
+
+@hookimpl
+def mrta_register_allocation_paces() -> Mapping[str, AllocationPaceFactory]:
+    """Name what rates and timeouts mean for rules."""
+    return {_ARCHITECTURE: baseline_pace}
 
 
 @hookimpl

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from mrta_demir_cf.message_kinds import SUBSCRIPTIONS, CancelReason, Kind, WarnedState
 from mrta_demir_cf.messages import Message, read_message
-from rqt_mrta_py.hooks import AllocationSign, Heard, InterpreterSetup, Subscription
+from rqt_mrta_py.hooks import AllocationSign, Applicability, Heard, InterpreterSetup, Subscription
 from rqt_mrta_py.model import Outcome
 
 __all__ = ["DemirCfInterpreter"]
@@ -42,8 +42,8 @@ class DemirCfInterpreter:
         """Say what to hear: all that robots say to one another."""
         return SUBSCRIPTIONS
 
-    def hear(self, heard: Heard) -> Sequence[AllocationSign]:
-        """Answer what a robot still holds, or how its time with a task ended."""
+    def hear(self, heard: Heard) -> Sequence[Union[AllocationSign, Applicability]]:
+        """Answer what a robot still holds, how its time with a task ended, or whether a task can be reached."""
         message = read_message(heard)
         if isinstance(message, str):
             return ()
@@ -51,12 +51,15 @@ class DemirCfInterpreter:
             self._told_over[message.recipient] = message.task
             return ()
         held = self._held.get(message.robot)
-        signs: List[AllocationSign] = []
+        signs: List[Union[AllocationSign, Applicability]] = []
         if held is not None:
             ending = self._ending(message, held)
             if ending is not None:
                 del self._held[message.robot]
                 signs.append(AllocationSign(message.robot, held, *ending))
+        if message.kind in (Kind.UNACHIEVABILITY, Kind.NEW_TASK):
+            # What one robot has found to be out of reach, or within it again, all others believe.
+            signs.append(Applicability("", message.task, message.kind is Kind.NEW_TASK))
         if message.kind is Kind.EXECUTION:
             self._held[message.robot] = message.task
             signs.append(AllocationSign(message.robot, message.task))

@@ -7,11 +7,13 @@ from typing import Any, Mapping, Sequence
 from mrta_demir_cf.agent import DemirCfAgent
 from mrta_demir_cf.experiments.benchmark import add_arguments, measure
 from mrta_demir_cf.interpreter import DemirCfInterpreter
+from mrta_demir_cf.pace import demir_cf_pace
 from mrta_demir_cf.panel import CostPanel
 from mrta_demir_cf.parameters import find_problems
 from rqt_mrta_py.hooks import (
     AgentFactory,
     AllocationInterpreterFactory,
+    AllocationPaceFactory,
     Benchmark,
     MonitorPanelFactory,
     ParameterProblem,
@@ -22,6 +24,7 @@ __all__ = [
     "mrta_check_parameters",
     "mrta_register_agents",
     "mrta_register_allocation_interpreters",
+    "mrta_register_allocation_paces",
     "mrta_register_benchmarks",
     "mrta_register_monitor_panels",
 ]
@@ -39,6 +42,12 @@ def mrta_register_agents() -> Mapping[str, AgentFactory]:
 def mrta_register_allocation_interpreters() -> Mapping[str, AllocationInterpreterFactory]:
     """Name who reads what robots say to one another."""
     return {_ARCHITECTURE: DemirCfInterpreter}
+
+
+@hookimpl
+def mrta_register_allocation_paces() -> Mapping[str, AllocationPaceFactory]:
+    """Name what heartbeats and timeouts mean for rules."""
+    return {_ARCHITECTURE: demir_cf_pace}
 
 
 @hookimpl

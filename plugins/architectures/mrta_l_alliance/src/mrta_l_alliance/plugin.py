@@ -9,10 +9,12 @@ from mrta_alliance.reading import find_problems
 
 from mrta_l_alliance.agent import LAllianceAgent
 from mrta_l_alliance.exporter import MemoryExporter
+from mrta_l_alliance.pace import l_alliance_pace
 from mrta_l_alliance.parameters import find_learning_problems
 from rqt_mrta_py.hooks import (
     AgentFactory,
     AllocationInterpreterFactory,
+    AllocationPaceFactory,
     ExporterFactory,
     ParameterProblem,
     hookimpl,
@@ -23,6 +25,7 @@ __all__ = [
     "mrta_check_parameters",
     "mrta_register_agents",
     "mrta_register_allocation_interpreters",
+    "mrta_register_allocation_paces",
     "mrta_register_exporters",
 ]
 
@@ -39,6 +42,12 @@ def mrta_register_agents() -> Mapping[str, AgentFactory]:
 def mrta_register_allocation_interpreters() -> Mapping[str, AllocationInterpreterFactory]:
     """Name who reads motivations."""
     return {_ARCHITECTURE: AllianceInterpreter}
+
+
+@hookimpl
+def mrta_register_allocation_paces() -> Mapping[str, AllocationPaceFactory]:
+    """Name what delays mean for rules."""
+    return {_ARCHITECTURE: l_alliance_pace}
 
 
 @hookimpl

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Dict, Sequence, Tuple
+from typing import Dict, List, Sequence, Tuple, Union
 
 from nearest_robot.bids import BIDS, Bid, read_bid
-from rqt_mrta_py.hooks import AllocationSign, Heard, InterpreterSetup, Subscription
+from rqt_mrta_py.hooks import AllocationSign, Applicability, Heard, InterpreterSetup, Subscription
 from rqt_mrta_py.model import Outcome
 
 __all__ = ["NearestRobotInterpreter"]
@@ -18,29 +18,37 @@ class NearestRobotInterpreter:
     """Reads bids: a robot that tells another holding than before has let go of what it held.
 
     Args:
-        setup: not needed; robots and tasks need not be known beforehand.
+        setup: robots and tasks need not be known beforehand; of tasks that are, it is told too that nobody bids for
+            them.
     """
 
     def __init__(self, setup: InterpreterSetup) -> None:
+        self._tasks = setup.tasks
         self._newest: Dict[str, Tuple[float, Bid]] = {}
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Say what to hear: all robots' bids."""
         return (BIDS,)
 
-    def hear(self, heard: Heard) -> Sequence[AllocationSign]:
-        """Answer what a robot still holds, or how its time with a task ended."""
+    def hear(self, heard: Heard) -> Sequence[Union[AllocationSign, Applicability]]:
+        """Answer what a robot still holds, how its time with a task ended, or for which tasks it bids no more."""
         bid = read_bid(heard)
         if bid is None:
             return ()
-        _, before = self._newest.get(bid.robot, (0.0, bid))
+        known = self._newest.get(bid.robot)
+        before = bid if known is None else known[1]
         self._newest[bid.robot] = (heard.receipt, bid)
-        signs = []
+        signs: List[Union[AllocationSign, Applicability]] = []
         if before.holding and before.holding != bid.holding:
             outcome, text = self._ending(bid, before.holding, heard.receipt)
             signs.append(AllocationSign(bid.robot, before.holding, outcome, text))
         if bid.holding:
             signs.append(AllocationSign(bid.robot, bid.holding))
+        if known is None:
+            signs += [Applicability(bid.robot, task, False) for task in self._tasks if task not in bid.offers]
+        elif bid.offers.keys() != before.offers.keys():
+            signs += [Applicability(bid.robot, task, False) for task in before.offers if task not in bid.offers]
+            signs += [Applicability(bid.robot, task, True) for task in bid.offers if task not in before.offers]
         return signs
 
     def _ending(self, bid: Bid, task: str, now: float) -> Tuple[Outcome, str]:

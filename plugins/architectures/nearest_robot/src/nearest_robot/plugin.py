@@ -7,11 +7,13 @@ from typing import Any, Mapping, Sequence
 from nearest_robot.agent import NearestRobotAgent
 from nearest_robot.benchmark import ALLOCATORS, allocators_benchmark
 from nearest_robot.interpreter import NearestRobotInterpreter
+from nearest_robot.pace import nearest_robot_pace
 from nearest_robot.panel import CostPanel
 from nearest_robot.parameters import find_problems
 from rqt_mrta_py.hooks import (
     AgentFactory,
     AllocationInterpreterFactory,
+    AllocationPaceFactory,
     Allocator,
     Benchmark,
     MonitorPanelFactory,
@@ -23,6 +25,7 @@ __all__ = [
     "mrta_check_parameters",
     "mrta_register_agents",
     "mrta_register_allocation_interpreters",
+    "mrta_register_allocation_paces",
     "mrta_register_allocators",
     "mrta_register_benchmarks",
     "mrta_register_monitor_panels",
@@ -41,6 +44,12 @@ def mrta_register_agents() -> Mapping[str, AgentFactory]:
 def mrta_register_allocation_interpreters() -> Mapping[str, AllocationInterpreterFactory]:
     """Name who reads bids."""
     return {_ARCHITECTURE: NearestRobotInterpreter}
+
+
+@hookimpl
+def mrta_register_allocation_paces() -> Mapping[str, AllocationPaceFactory]:
+    """Name what rates and timeouts mean for rules."""
+    return {_ARCHITECTURE: nearest_robot_pace}
 
 
 @hookimpl

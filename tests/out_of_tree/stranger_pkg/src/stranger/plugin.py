@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from typing import Any, Mapping, Sequence
 
 from rqt_mrta_py.hooks import Benchmark, BenchmarkTable, ParameterProblem, Verb, hookimpl
@@ -18,6 +19,11 @@ def mrta_register_agents() -> Mapping[str, Any]:
 @hookimpl
 def mrta_register_allocation_interpreters() -> Mapping[str, Any]:
     return {"stranger": watching.Interpreter}
+
+
+@hookimpl
+def mrta_register_allocation_paces() -> Mapping[str, Any]:
+    return {"stranger": lambda mission, usual: replace(usual, uptake=40.0 + len(mission.application.robots))}
 
 
 @hookimpl

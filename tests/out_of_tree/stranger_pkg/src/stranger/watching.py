@@ -57,6 +57,7 @@ class Interpreter:
 class SomebodyWorks:
     def __init__(self, setup: RuleSetup) -> None:
         self._place = setup.mission.application.name
+        self.causes = f"moles that take it up within {setup.pace.uptake:g} s"
 
     def subscriptions(self) -> Sequence[Subscription]:
         return ()
