@@ -59,8 +59,9 @@ class ChunkReader:
         self._file = file
         self._connections = connections
         self._numbers = numbers
-        self._places = np.zeros(max(numbers) + 1, np.int64)
-        self._places[list(numbers)] = list(numbers.values())
+        # Numbers are a stranger's: a table up to the highest could take all memory.
+        self._sorted = np.array(sorted(numbers), np.int64)
+        self._places = np.array([numbers[number] for number in sorted(numbers)], np.int64)
         self._known: Dict[bytes, int] = {}
 
     def read(self, chunks: Sequence[ChunkPlace], end: int) -> Block:
@@ -91,7 +92,8 @@ class ChunkReader:
             order = order[np.argsort(receipts[order], kind="stable")]
         entries = _Entries(*(column[order] for column in entries))
         begins, ends = _records(content, entries)
-        return Block(self._connections, self._places[entries.numbers], receipts[order], content, begins, ends)
+        places = self._places[np.searchsorted(self._sorted, entries.numbers)]
+        return Block(self._connections, places, receipts[order], content, begins, ends)
 
     def _entries(self, region: bytes, chunks: Sequence[ChunkPlace]) -> Tuple[bytes, Any]:
         """Find the content of chunks, and what their indexes say of it; None if they say nothing."""
