@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from array import array
-from typing import Any, Optional
+from typing import Any, List, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +17,7 @@ from rqt_mrta_py.supervisor.clocks.samples import LongestTimes, PromptWindows, S
 __all__ = ["Ledger", "begins_with_header"]
 
 _NS = 1_000_000_000
-_PIECE = 4096
+_PIECE = 2048
 """So many messages are looked at together."""
 _STAMP = slice(4, 12)
 """Where the stamp stands in a message that begins with a header: behind its number [bytes]."""
@@ -50,6 +50,9 @@ class Ledger:
         self._stamped = begins_with_header(connection.definition)
         self._receipts = array("q")
         self._stamps = bytearray()
+        # Receipts and halves of stamps that nobody has looked at, and how many they are.
+        self._waiting: List[Tuple[NDArray[np.int64], NDArray[np.uint32]]] = []
+        self._count = 0
         self._messages = 0
         self._first = self._last = 0
         self._times = Samples(1)
@@ -66,7 +69,7 @@ class Ledger:
         if self._stamped:
             self._stamps += raw[_STAMP] if len(raw) >= _STAMP.stop else _NO_STAMP
         if len(self._receipts) == _PIECE:
-            self._look()
+            self._put_down()
 
     def take_together(
         self, receipts: NDArray[np.int64], content: bytes, begins: NDArray[np.int64], ends: NDArray[np.int64]
@@ -79,16 +82,17 @@ class Ledger:
             begins: where each begins in the content, shape (messages,) [bytes].
             ends: where each ends, shape (messages,) [bytes].
         """
-        self._look()
-        stamps = np.zeros((len(receipts), 2), np.int64)
-        long_enough = ends - begins >= _STAMP.stop
-        if self._stamped and long_enough.any():
-            # One window begins at each byte, and is as long as a stamp.
-            size = _STAMP.stop - _STAMP.start
-            windows: NDArray[Any] = np.ndarray((len(content) - size + 1,), f"V{size}", content, strides=(1,))
-            found = np.frombuffer(windows[begins[long_enough] + _STAMP.start].tobytes(), "<u4")
-            stamps[long_enough] = found.reshape(-1, 2)
-        self._look_at(receipts, stamps if self._stamped else None)
+        self._put_down()
+        stamps = np.zeros((len(receipts) if self._stamped else 0, 2), np.uint32)
+        if self._stamped:
+            long_enough = ends - begins >= _STAMP.stop
+            if long_enough.any():
+                # One window begins at each byte, and is as long as a stamp.
+                size = _STAMP.stop - _STAMP.start
+                windows: NDArray[Any] = np.ndarray((len(content) - size + 1,), f"V{size}", content, strides=(1,))
+                found = np.frombuffer(windows[begins[long_enough] + _STAMP.start].tobytes(), "<u4")
+                stamps[long_enough] = found.reshape(-1, 2)
+        self._wait(receipts, stamps)
 
     def timing(self, robot: str) -> Optional[ConnectionTiming]:
         """Sum up; None if there was no message.
@@ -96,6 +100,7 @@ class Ledger:
         Args:
             robot: whose connection it is; empty if no robot's.
         """
+        self._put_down()
         self._look()
         if not self._messages:
             return None
@@ -150,17 +155,29 @@ class Ledger:
             delay_high=max(quantile(delays, 0.95), 0.0) / _NS,
         )
 
+    def _put_down(self) -> None:
+        """Lay what came one by one to what came together."""
+        if self._receipts:
+            receipts = np.array(self._receipts, np.int64)
+            stamps = np.frombuffer(bytes(self._stamps), "<u4").reshape(-1, 2)
+            del self._receipts[:]
+            self._stamps.clear()
+            self._wait(receipts, stamps)
+
+    def _wait(self, receipts: NDArray[np.int64], stamps: NDArray[np.uint32]) -> None:
+        self._waiting.append((receipts, stamps))
+        self._count += len(receipts)
+        if self._count >= _PIECE:
+            self._look()
+
     def _look(self) -> None:
         """Look at what has come since the last look."""
-        if not self._receipts:
+        if not self._count:
             return
-        receipts: NDArray[np.int64] = np.array(self._receipts, np.int64)
-        stamps = np.frombuffer(bytes(self._stamps), "<u4").astype(np.int64).reshape(-1, 2) if self._stamped else None
-        del self._receipts[:]
-        self._stamps.clear()
-        self._look_at(receipts, stamps)
-
-    def _look_at(self, receipts: NDArray[np.int64], stamps: Optional[NDArray[np.int64]]) -> None:
+        receipts = np.concatenate([each for each, _ in self._waiting])
+        stamps = np.concatenate([each for _, each in self._waiting]).astype(np.int64)
+        self._waiting.clear()
+        self._count = 0
         before = receipts[:1] if not self._messages else np.array([self._last], np.int64)
         if not self._messages:
             self._first = int(receipts[0])
@@ -170,7 +187,7 @@ class Ledger:
         self._longest.add(times)
         self._messages += len(receipts)
         self._last = int(receipts[-1])
-        if stamps is not None:
+        if self._stamped:
             self._look_at_stamps(receipts, stamps[:, 0] * _NS + stamps[:, 1])
 
     def _look_at_stamps(self, receipts: NDArray[np.int64], stamps: NDArray[np.int64]) -> None:

@@ -20,7 +20,7 @@ class Samples:
         most: how many messages are kept; even.
     """
 
-    def __init__(self, columns: int, most: int = 4096) -> None:
+    def __init__(self, columns: int, most: int = 2048) -> None:
         self._most = most
         self._stride = 1
         self._seen = 0
