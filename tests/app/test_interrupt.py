@@ -62,7 +62,7 @@ def test_an_interrupt_while_results_are_written_leaves_all_of_them(
     )
     assert main([verb, *what, "--pictures", "100", "--out", str(folder)]) == 130
     assert names(folder) == COMPLETE | (
-        {"mission.bag"} if verb == "run" else {"clocks.json", "communication.json", "communication.png"}
+        {"mission.bag"} if verb == "run" else {"clocks.json", "communication.json", "communication.png", "review.json"}
     )
 
 

@@ -11,7 +11,7 @@ from typing import Dict
 
 import pytest
 
-FILES = ("mission.bag", "summary.json", "events.jsonl", "incidents.jsonl")
+FILES = ("mission.bag", "summary.json", "events.jsonl", "incidents.jsonl", "report.html")
 
 
 def run(folder: Path, hash_seed: str, seed: str, packages: str = "", processes: str = "2") -> Dict[str, str]:
