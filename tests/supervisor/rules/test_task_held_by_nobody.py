@@ -29,7 +29,7 @@ def judged() -> Stream:
 
 def idle(stream: Stream, start: float, end: float, *robots: str) -> None:
     """Let robots say every second that they are idle."""
-    stream.every(1.0, start, end, *[lambda time, robot=robot: stream.idle(time, robot) for robot in robots])  # type: ignore[misc]
+    stream.every(1.0, start, end, *[lambda time, robot=robot: stream.idle(time, robot) for robot in robots])
 
 
 def test_task_that_waits_for_a_free_robot_is_found_until_somebody_takes_it() -> None:

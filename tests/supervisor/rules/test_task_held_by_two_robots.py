@@ -93,7 +93,7 @@ def test_task_that_needs_two_robots_is_none() -> None:
 def test_third_robot_makes_no_second_incident() -> None:
     stream = watched(RULE, mission(robots=("robot1", "robot2", "robot3")))
     robots = ("robot1", "robot2", "robot3")
-    calls = [lambda time, robot=robot: stream.busy(time, robot, "patrol") for robot in robots]  # type: ignore[misc]
+    calls = [lambda time, robot=robot: stream.busy(time, robot, "patrol") for robot in robots]
     stream.every(0.5, 1.0, 9.0, *calls)
     (incident,) = incidents(stream)
     assert (incident.start, incident.robots) == (1.0, robots)

@@ -3,6 +3,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Sequence
 
+import pytest
+
 from rqt_mrta_py.hooks import AllocationPace
 from rqt_mrta_py.model import Progress, Severity
 from tests.supervisor.mini import Stream, mission
@@ -90,3 +92,19 @@ def test_task_that_a_robot_takes_up_again_and_again_counts_once() -> None:
         stream.busy(start, "robot1", "task0")
         stream.sign(start + 1.0, "robot1", "task0", "gave_up")
     assert incidents(stream) == ()
+
+
+@pytest.mark.parametrize(("awarded", "found"), [(4, 0), (5, 1)])
+def test_five_tasks_in_a_row_are_the_least_however_many_others_were_free(awarded: int, found: int) -> None:
+    robots = [f"robot{number}" for number in range(1, 13)]
+    stream = team(12, awarded)
+    awards(stream, robots, ["robot1"] * awarded)
+    assert len(incidents(stream)) == found
+
+
+def test_robot_that_is_left_out_among_more_than_a_hundred_is_none() -> None:
+    robots = [f"robot{number}" for number in range(1, 104)]
+    stream = team(103, 6)
+    awards(stream, robots, ["robot1"] * 6)
+    (incident,) = incidents(stream)
+    assert incident.robots == ("robot1",)

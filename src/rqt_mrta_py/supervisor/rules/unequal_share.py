@@ -15,6 +15,8 @@ __all__ = ["UnequalShare"]
 _Moment = Tuple[float, Evidence]
 
 _CHANCE = 1e-3
+_LEAST_ROW = 5
+_LARGE_TEAM = 100
 _SHOWN = 3
 
 
@@ -24,13 +26,14 @@ class UnequalShare(FactRule[str]):
     Whenever a robot takes a task, all robots that were free then and could have taken it (as for
     ``task_held_by_nobody``) had a chance. If k robots had, and any was as likely as another, each had the chance 1/k.
 
-    Fires: on a robot that takes tasks in an unbroken row, as soon as the product of its chances is at most 1 in 1000
-    (ten times in a row of two robots, five of four); and on a robot that comes away empty in an unbroken row, as soon
-    as the product of (1 - 1/k) is (ten times of two, 25 of four). It lasts from the first of the row until another
-    robot takes a task, or this one does.
+    Fires: on a robot that takes at least five tasks in an unbroken row, as soon as the product of its chances is at
+    most 1 in 1000 (ten times of two robots, five of four or more); and on a robot that comes away empty in an unbroken
+    row, as soon as the product of (1 - 1/k) is (ten times of two, 25 of four). It lasts from the first of the row until
+    another robot takes a task, or this one does.
 
     Does not fire: where only one robot was free or could have; for a task that a robot takes up again itself within
-    ``pace.brief``; for what is settled beforehand (``pace.uptake`` None); in missions with few allocations.
+    ``pace.brief``; for what is settled beforehand (``pace.uptake`` None); in missions with few allocations; on who
+    comes away empty where more than 100 robots are free at once.
 
     Args:
         setup: see above.
@@ -47,6 +50,7 @@ class UnequalShare(FactRule[str]):
         self._winner: Optional[str] = None
         self._row: List[_Moment] = []
         self._luck = 0.0
+        self._won = 0
         self._misses: Dict[str, float] = {}
         self._missed: Dict[str, List[_Moment]] = {}
         self._let_go: Dict[str, Tuple[str, float]] = {}
@@ -69,13 +73,16 @@ class UnequalShare(FactRule[str]):
 
     def _award(self, fact: AllocationStarted, board: IncidentBoard) -> None:
         robots = self._robots
-        # A robot that takes a task is as good as free: its message says so before any other can.
+        moment = (fact.time, fact.message)
+        if len(robots.free) > _LARGE_TEAM:
+            # To be left out among so many says nothing before thousands of allocations, and costs to follow.
+            self._win(fact.robot, len(robots.free), moment, board)
+            return
         rivals = [
             robot for robot in robots.free if robot != fact.robot and robots.could_since(robot, fact.task) is not None
         ]
         if not rivals:
             return
-        moment = (fact.time, fact.message)
         self._win(fact.robot, len(rivals) + 1, moment, board)
         miss = math.log(1.0 - 1.0 / (len(rivals) + 1))
         for robot in rivals:
@@ -85,14 +92,15 @@ class UnequalShare(FactRule[str]):
         if robot != self._winner:
             if self._winner is not None:
                 board.close(f"all {self._winner}", moment[0], evidence=[moment[1]])
-            self._winner, self._luck, self._row = robot, 0.0, []
+            self._winner, self._luck, self._won, self._row = robot, 0.0, 0, []
         self._luck -= math.log(chances)
+        self._won += 1
         self._row.append(moment)
         del self._row[_SHOWN:]
         if self._misses.pop(robot, None) is not None:
             self._missed.pop(robot)
             board.close(f"none {robot}", moment[0], evidence=[moment[1]])
-        if self._luck <= math.log(_CHANCE):
+        if self._won >= _LEAST_ROW and self._luck <= math.log(_CHANCE):
             text = (
                 f"{robot} has taken every task since {self.since(self._row[0][0])}, though others were free each time"
             )
