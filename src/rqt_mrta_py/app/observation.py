@@ -120,7 +120,8 @@ class Observation:
         self._attention: Dict[object, Attention] = {}
         for subscription, callback in self.supervisor.listeners():
             attention = self._attention[callback] = self.supervisor.repeats.attention(callback)
-            self._dispatcher.subscribe(subscription, callback, each=attention is not Attention.LAST)
+            each = attention not in (Attention.LAST, Attention.TIMED)
+            self._dispatcher.subscribe(subscription, callback, each=each)
             wishes.append(subscription)
         self._read = tuple((TopicPattern(wish.topic), wish) for wish in wishes if wish.topic != EVERYTHING)
         heard_by: List[Listener] = [self._scene, *self._panels, *self._measures.values()]
@@ -173,19 +174,23 @@ class Observation:
         """
         met, wrong = self._dispatcher.wishes_for(connection)
         attentions = [self._attention.get(each.callback, Attention.EACH) for each in met]
-        last = [each for each in met if not each.wish.each]
+        last = [each for each, attention in zip(met, attentions) if attention is Attention.LAST]
         paths = dict.fromkeys(path for each in last for path in each.paths if path.split("/")[-1] != "stamp")
         timed = attentions.count(Attention.TIMED)
         return Habit(
-            at_once=wrong or Attention.AT_ONCE in attentions,
-            each=Attention.EACH in attentions or timed > 1,
+            at_once=wrong or Attention.AT_ONCE in attentions or timed > 1,
+            each=Attention.EACH in attentions,
             timed=timed == 1,
             said=tuple(paths) if last else None,
         )
 
-    def glance(self, stamped: Stamped) -> None:
-        """Take in the next message of the stream, which says nothing new to the supervisor, and is not its last."""
-        self._dispatcher.glance(stamped, self._reach)
+    def glance(self, stamped: Stamped) -> int:
+        """Let those hear the next message of the stream who want each, though it says nothing new to the supervisor.
+
+        Returns:
+            Its ordinal among the messages of its topic.
+        """
+        return self._dispatcher.glance(stamped, self._reach)
 
     def ordinals(self, connection: Connection) -> Iterator[int]:
         """Count the messages of a connection's topic: taking one counts a message that is taken in no other way."""

@@ -54,7 +54,7 @@ class Dispatcher:
         Args:
             subscription: its topic may hold tokens or be EVERYTHING; a relative one stands in the root namespace.
             callback: is told of each message, in the order of the stream.
-            each: False if messages that say the same again may be passed over, by ``glance`` and ``pass_over``.
+            each: False if messages that say nothing new to it may be passed over, by ``glance`` and ``pass_over``.
 
         Raises:
             TransportError: the topic is no name that ROS accepts.
@@ -90,18 +90,22 @@ class Dispatcher:
         route = self._route(connection)
         return route.met, bool(route.complaints)
 
-    def glance(self, stamped: Stamped, ahead: Callable[[str, float, int], None]) -> None:
+    def glance(self, stamped: Stamped, ahead: Callable[[str, float, int], None]) -> int:
         """Hand one message that says nothing new to those who want each; nobody is told that it came.
 
         Args:
             stamped: the next message of the stream.
             ahead: is told its topic, receipt [s] and ordinal before anybody hears it.
+
+        Returns:
+            The ordinal.
         """
         connection, receipt_ns, raw = stamped
         route = self._by_identity.get(id(connection)) or self._route(connection)
         receipt, ordinal = receipt_ns / 1_000_000_000, next(route.ordinals)
         ahead(connection.topic, receipt, ordinal)
         self._hand_on(route, route.each, receipt, ordinal, raw)
+        return ordinal
 
     def ordinals(self, connection: Connection) -> Iterator[int]:
         """Count the messages of a connection's topic: taking one counts a message that is handed on in no other way."""

@@ -11,7 +11,7 @@ __all__ = ["Complaint", "MetWish", "Route", "Wish"]
 
 
 class Wish(NamedTuple):
-    """A subscription with whom to tell; ``each`` is False where messages that say the same again may be passed over."""
+    """A subscription with whom to tell; ``each`` is False where messages that say nothing new may be passed over."""
 
     number: int
     pattern: TopicPattern

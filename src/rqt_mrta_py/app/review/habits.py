@@ -65,14 +65,13 @@ class Speaker:
         if self._marker is None:
             return np.zeros(len(rows), np.bool_)
         fresh = np.ones(len(rows), np.bool_)
-        places = rows
         begins = block.begins[rows]
         sizes = block.ends[rows] - begins
         edges = [0, *(np.flatnonzero(np.diff(sizes)) + 1).tolist(), len(rows)]
         for first, last in zip(edges[:-1], edges[1:]):
-            rows = _rows(block.content, begins[first:last], int(sizes[first]))
-            self._compare(rows, fresh[first:last])
-            self._hold_stamps(rows, block.receipts[places[first:last]], fresh[first:last])
+            alike = _rows(block.content, begins[first:last], int(sizes[first]))
+            self._compare(alike, fresh[first:last])
+            self._hold_stamps(alike, block.receipts[rows[first:last]], fresh[first:last])
         return fresh
 
     def _hold_stamps(self, rows: NDArray[np.uint8], receipts: NDArray[np.int64], fresh: NDArray[np.bool_]) -> None:
@@ -99,8 +98,8 @@ class Speaker:
             differs = np.empty(said.shape, np.bool_)
             differs[0] = said[0] != self._said
             np.not_equal(said[1:], said[:-1], out=differs[1:])
-            news = differs.any(axis=1)
-            moved = np.flatnonzero(differs[:, self._layout].any(axis=1)) if news.any() else np.empty(0, np.int64)
+            news: NDArray[np.bool_] = np.any(differs, axis=1)
+            moved = np.flatnonzero(np.any(differs[:, self._layout], axis=1))
             upto = int(moved[0]) if len(moved) else len(said)
             fresh[first : first + upto] = news[:upto]
             if upto:

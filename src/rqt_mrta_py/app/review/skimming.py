@@ -157,22 +157,21 @@ class Skimming:
         for offset in np.flatnonzero(needed).tolist():
             number = listed[offset]
             if not finals[offset]:
+                speaker = self._speakers[number]
                 if each[number]:
-                    observation.glance(block[begin + offset])
+                    ordinal = observation.glance(block[begin + offset])
                     due = supervisor.next_due
                 else:
-                    speaker = self._speakers[number]
-                    receipt = receipts[offset] / _NS
                     ordinal = next(self._ordinals[number])
-                    if speaker.voice is None:
-                        continue
-                    topic = speaker.connection.topic
-                    if receipt > due:
-                        repeats.reach((topic, receipt, ordinal))
-                        due = supervisor.next_due
-                    heard = _new_heard(Heard, (topic, speaker.connection.type, receipt, _NOTHING, "", "", "", ordinal))
-                    if repeats.hear_again(speaker.voice, heard):
-                        due = supervisor.next_due
+                if speaker.voice is None:
+                    continue
+                topic, receipt = speaker.connection.topic, receipts[offset] / _NS
+                if receipt > due:
+                    repeats.reach((topic, receipt, ordinal))
+                    due = supervisor.next_due
+                heard = _new_heard(Heard, (topic, speaker.connection.type, receipt, _NOTHING, "", "", "", ordinal))
+                if repeats.hear_again(speaker.voice, heard):
+                    due = supervisor.next_due
                 continue
             stamped = block[begin + offset]
             if skipped:

@@ -7,4 +7,5 @@
 * ``columns``: writers of a whole team's messages; ``sheets``: the memory that they write on; ``column_parts``: how
   columns of numbers get there
 * ``ros_codec``: all of it behind the Protocol ``hooks.Codec``
+* ``marks``: which bytes of a message decide what fields say
 """
