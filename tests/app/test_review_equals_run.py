@@ -15,6 +15,16 @@ def test_review_gives_the_same_bytes_as_the_run(patrol: Outputs, patrol_review: 
     assert (patrol_review.folder / name).read_bytes() == (patrol.folder / name).read_bytes()
 
 
+@pytest.mark.parametrize("application", ["cleanup", "target_visiting"])
+def test_other_applications_review_to_the_same_bytes_too(tmp_path: Path, application: str) -> None:
+    run, review = tmp_path / "run", tmp_path / "review"
+    assert main(["run", application, "--duration", "12", "--pictures", "0", "--out", str(run), "-q"]) == 0
+    assert main(["review", str(run / "mission.bag"), "--pictures", "0", "--out", str(review), "-q"]) == 0
+    assert len((run / "events.jsonl").read_bytes().splitlines()) >= 5
+    for name in ("events.jsonl", "incidents.jsonl", "summary.json"):
+        assert (review / name).read_bytes() == (run / name).read_bytes()
+
+
 def test_review_finds_something_to_be_equal_about(patrol_review: Outputs) -> None:
     summary = patrol_review.summary
     assert len(summary["allocations"]) >= 5
