@@ -216,17 +216,15 @@ class Tab:
         return found + [url for url in urls[1:] if not url.startswith("data:")]
 
     def picture(self, path: Path, whole: bool = False) -> None:
-        """Write a screenshot."""
-        data = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=whole, **self._clip(whole))
+        """Write a screenshot: of the window, or of the whole page in a window as high as that."""
+        if whole:
+            size = self.call("Page.getLayoutMetrics")["cssContentSize"]
+            self.size(int(size["width"]), int(size["height"]))
+            self.settle()
+        data = self.call("Page.captureScreenshot", format="png")
         path.write_bytes(base64.b64decode(data["data"]))
 
     def paper(self, path: Path) -> None:
         """Write what would be printed, as PDF."""
         data = self.call("Page.printToPDF", printBackground=True, preferCSSPageSize=True)
         path.write_bytes(base64.b64decode(data["data"]))
-
-    def _clip(self, whole: bool) -> Dict[str, Any]:
-        if not whole:
-            return {}
-        size = self.call("Page.getLayoutMetrics")["cssContentSize"]
-        return {"clip": {"x": 0, "y": 0, "width": size["width"], "height": size["height"], "scale": 1}}

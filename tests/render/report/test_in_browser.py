@@ -244,12 +244,14 @@ def test_on_paper_the_whole_mission_stands(tab: Tab, tmp_path: Path) -> None:
     tab.mouse("mouseWheel", x, y, deltaX=0, deltaY=-400, modifiers=2)
     tab.settle()
     window = tab.run(_WINDOW)
-    tab.call("Emulation.setEmulatedMedia", media="print")
+    dark = [{"name": "prefers-color-scheme", "value": "dark"}]
+    tab.call("Emulation.setEmulatedMedia", media="print", features=dark)
     tab.settle()
     on_paper = tab.run(_WINDOW)
     assert (on_paper[0], on_paper[-1]) == (0, 90)
     assert tab.run("getComputedStyle(document.querySelector('nav')).display") == "none"
-    tab.call("Emulation.setEmulatedMedia", media="")
+    assert tab.run("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+    tab.call("Emulation.setEmulatedMedia", media="", features=[])
     tab.settle()
     assert tab.run(_WINDOW) == window
     tab.paper(tmp_path / "report.pdf")
