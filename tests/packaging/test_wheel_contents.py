@@ -39,10 +39,14 @@ def test_wheel_holds_every_python_module(contents: Dict[str, bytes], tree: Path)
     new = "rqt_mrta_py/config/packages/skeleton"
     skeleton = {f"{new}/{name}.py.in" for name in ("agent", "init", "plugin", "setup", "test_agent")}
     skeleton.add(f"{new}/pytest.ini.in")
+    page = (tree / "src/rqt_mrta_py/render/report/assets").iterdir()
+    assets = {f"rqt_mrta_py/render/report/assets/{path.name}" for path in page if path.suffix in (".css", ".js")}
+    assert assets
     assert {name for name in contents if name.startswith("rqt_mrta_py/")} == {
         *modules,
         *grammars,
         *skeleton,
+        *assets,
         "rqt_mrta_py/py.typed",
     }
 

@@ -6,6 +6,7 @@ encoding ``ros1msg`` of its registry (mcap.dev/spec).
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import Any, BinaryIO, Callable, Dict, Tuple
 
 from rqt_mrta_py.hooks import Connection, ExporterSetup, MissingDependencyError, MrtaError, Stamped
@@ -33,7 +34,9 @@ class McapExporter:
     def __init__(self, setup: ExporterSetup) -> None:
         try:
             import mcap.writer
-            import zstandard  # noqa: F401 - the writer would miss it only when it begins
+
+            # The writer would miss what it compresses with only when it begins.
+            import_module("zstandard")
         except ImportError as error:
             raise MissingDependencyError(
                 f"exporter mcap: {error}; install it with: pip install 'rqt_mrta_py[mcap]'"
