@@ -70,7 +70,7 @@ class AgentLoop:
         """
         node = self._node
         team = [robot.id for robot in mission.application.robots]
-        tasks = list(mission.task_ids)
+        tasks = mission.task_ids
         self._foresee(mission)
         known: Dict[str, None] = {}
         unknown: List[TopicPattern] = []

@@ -31,7 +31,7 @@ def spoken_topics(mission: Mission, robot: str, heard: Iterable[Subscription]) -
         robot: id.
         heard: what its host wishes to hear; topics are resolved.
     """
-    own, tasks = f"/{robot}", list(mission.task_ids)
+    own, tasks = f"/{robot}", mission.task_ids
     found: Dict[str, str] = {}
     for wish in heard:
         among_fellows = TopicPattern(wish.topic).is_literal and not wish.topic.startswith(f"{own}/")

@@ -31,8 +31,7 @@ def submitted(fields: Mapping[str, str], mission: Mission, now: float) -> Outgoi
         if task_id not in ("", task.id):
             raise UsageError(f"task_yaml: defines {task.id!r}, but task_id is {task_id!r}; leave one of them out")
         return task_order(Progress.APPEARED, task.id, now, detail="there is a new task", task=task)
-    known = list(mission.task_ids)
-    _check("task_id", task_id, known)
+    _check("task_id", task_id, mission.task_ids)
     return task_order(Progress.APPEARED, task_id, now, detail="there is a new task")
 
 

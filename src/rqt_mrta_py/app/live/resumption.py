@@ -94,8 +94,8 @@ def ended_tasks(active: Path, codec: Codec, mission: Mission) -> Tuple[float, Li
 
 def _identity(mission: Mission) -> Tuple[object, ...]:
     application = mission.application
-    tasks = mission.task_ids
-    return application.package, mission.architecture.package, tuple(robot.id for robot in application.robots), tasks
+    robots = tuple(robot.id for robot in application.robots)
+    return application.package, mission.architecture.package, robots, mission.task_ids
 
 
 def _resume(supervisor: LiveSupervisor, active: Path) -> None:

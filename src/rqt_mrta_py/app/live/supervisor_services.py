@@ -155,7 +155,7 @@ class _Answers:
     def _known_tasks(self) -> Sequence[str]:
         """List the ids of all tasks that were listed or heard of."""
         mission = self._supervised.mission
-        listed = list(mission.task_ids)
+        listed = mission.task_ids
         return list(dict.fromkeys((*listed, *(task.id for task in self._supervised.record().tasks))))
 
     def _known_robots(self) -> Sequence[str]:

@@ -143,7 +143,7 @@ def foreseen_topics(mission: Mission, wishes: Iterable[Subscription]) -> Sequenc
         wishes: their topics are absolute, perhaps with tokens.
     """
     robots = [robot.id for robot in mission.application.robots]
-    tasks = list(mission.task_ids)
+    tasks = mission.task_ids
     return tuple(dict.fromkeys(topic for wish in wishes for topic in expanded(wish.topic, robots, tasks)))
 
 

@@ -8,10 +8,8 @@ import numpy as np
 
 from rqt_mrta_py.model import CommunicationGraph
 from rqt_mrta_py.render.canvas import Box, Canvas, Point
+from rqt_mrta_py.render.network.arrangement import Link, Measures, arranged, links_of
 from rqt_mrta_py.render.network.folding import Folded, folded
-from rqt_mrta_py.render.network.layering import layered
-from rqt_mrta_py.render.network.ordering import ordered
-from rqt_mrta_py.render.network.placing import heights
 from rqt_mrta_py.render.palette import ACCENT, FRAME, HAPPENING, INK, MUTED, PAGE, RED, TRAIL, WHITE, Colour
 from rqt_mrta_py.render.text import Style, fit, shorten, text_width
 
@@ -24,8 +22,8 @@ _MOST_TOPICS = 40
 _NAME, _DETAIL, _NODE = Style(14, bold=True), Style(12), Style(14, bold=True)
 _TITLE, _WORDS = Style(20, bold=True), Style(13)
 _WIDEST = 440.0
-_TOPIC_HEIGHT, _NODE_HEIGHT, _PASSING = 44.0, 32.0, 4.0
-_GAP, _BETWEEN, _MARGIN, _HEAD, _FOOT = 14.0, 110.0, 28.0, 58.0, 44.0
+_MEASURES = Measures(topic=44.0, node=32.0, gap=14.0)
+_BETWEEN, _MARGIN, _HEAD, _FOOT = 110.0, 28.0, 58.0, 44.0
 _LEAST_WIDTH, _LEAST_HEIGHT = 760.0, 200.0
 _ARROW = 9.0
 _BENDS = 24
@@ -39,15 +37,6 @@ class _Vertex(NamedTuple):
     detail: str
     width: float
     warns: bool
-
-
-class _Edge(NamedTuple):
-    """A line between two vertices, by number: who says what, who hears it, or both."""
-
-    node: int
-    topic: int
-    says: bool
-    hears: bool
 
 
 def draw_communication(graph: CommunicationGraph, robots: Sequence[str] = ()) -> NDArray[np.uint8]:
@@ -64,21 +53,12 @@ def draw_communication(graph: CommunicationGraph, robots: Sequence[str] = ()) ->
         MissingDependencyError: Pillow or OpenCV is not installed.
     """
     small = folded(graph, robots, _MOST_TOPICS)
-    vertices, edges = _parts(small)
-    found = layered(
-        len(vertices), [(each.node, each.topic) if each.says else (each.topic, each.node) for each in edges]
-    )
-    layers = ordered(found.layers, found.chains)
-    sizes = {
-        vertex: _PASSING if vertex >= len(vertices) else _TOPIC_HEIGHT if vertices[vertex].is_topic else _NODE_HEIGHT
-        for layer in layers
-        for vertex in layer
-    }
-    places = heights(layers, found.chains, sizes, _GAP)
+    vertices, edges = _vertices(small), links_of(small.graph)
+    found = arranged([each.is_topic for each in vertices], edges, _MEASURES)
+    layers, sizes, places = found.layers, found.sizes, found.places
     columns = _columns(layers, vertices)
-    bottom = max((places[vertex] + sizes[vertex] / 2.0 for vertex in places), default=0.0)
     width = max(_LEAST_WIDTH, (columns[-1].right if columns else 0.0) + _MARGIN)
-    height = max(_LEAST_HEIGHT, _HEAD + bottom + _FOOT)
+    height = max(_LEAST_HEIGHT, _HEAD + found.bottom + _FOOT)
     canvas = Canvas(np.full((round(height), round(width), 3), PAGE[::-1], dtype=np.uint8))
     column_of = {vertex: columns[number] for number, layer in enumerate(layers) for vertex in layer}
     boxes = {
@@ -94,8 +74,8 @@ def draw_communication(graph: CommunicationGraph, robots: Sequence[str] = ()) ->
     return canvas.image
 
 
-def _parts(small: Folded) -> Tuple[List[_Vertex], List[_Edge]]:
-    """List what is drawn: nodes, then topics; lines sorted."""
+def _vertices(small: Folded) -> List[_Vertex]:
+    """List what is drawn: nodes, then topics."""
     graph = small.graph
     topics = graph.topics
     vertices = [_vertex(node, "", small.counts, is_topic=False) for node in graph.nodes]
@@ -103,11 +83,7 @@ def _parts(small: Folded) -> Tuple[List[_Vertex], List[_Edge]]:
         rate = "" if topic.rate is None else f"{topic.rate:.3g} Hz"
         detail = "   ".join(part for part in (", ".join(topic.types).replace("*", "?"), rate) if part)
         vertices.append(_vertex(topic.name, detail, small.counts, is_topic=True, warns=len(topic.types) > 1))
-    numbers = {node: number for number, node in enumerate(graph.nodes)}
-    topic_numbers = {topic.name: len(numbers) + number for number, topic in enumerate(topics)}
-    says = {(numbers[flow.node], topic_numbers[flow.topic]) for flow in graph.flows if flow.node}
-    hears = {(numbers[node], topic_numbers[topic]) for topic, node in graph.subscriptions or ()}
-    return vertices, [_Edge(*pair, pair in says, pair in hears) for pair in sorted(says | hears)]
+    return vertices
 
 
 def _vertex(name: str, detail: str, counts: Mapping[str, int], *, is_topic: bool, warns: bool = False) -> _Vertex:
@@ -136,7 +112,7 @@ def _box(column: Box, middle: float, height: float, width: float) -> Box:
 
 def _draw_edge(
     canvas: Canvas,
-    edge: _Edge,
+    edge: Link,
     chain: Sequence[int],
     boxes: Mapping[int, Box],
     places: Mapping[int, Tuple[Box, float]],

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Dict, List, NamedTuple, Optional, Sequence
+from typing import Dict, List, Mapping, NamedTuple, Optional, Sequence
 
 from rqt_mrta_py.model import CommunicationGraph
+from rqt_mrta_py.render.network.arrangement import Link, Measures, arranged, links_of
 from rqt_mrta_py.render.network.folding import Folded, folded
-from rqt_mrta_py.render.network.layering import layered
-from rqt_mrta_py.render.network.ordering import ordered
-from rqt_mrta_py.render.network.placing import heights
 from rqt_mrta_py.render.report.html import Content, Html, element, words
 from rqt_mrta_py.render.report.report_input import ReportInput
 from rqt_mrta_py.render.report.tables import section, table
@@ -18,8 +16,8 @@ __all__ = ["network_section"]
 _MOST_TOPICS = 40
 _MOST_ROWS = 1000
 _LETTER, _SMALL_LETTER, _LONGEST = 7.6, 6.3, 46
-_TOPIC_HEIGHT, _NODE_HEIGHT, _PASSING = 42.0, 30.0, 4.0
-_GAP, _BETWEEN, _MARGIN = 12.0, 96.0, 4.0
+_MEASURES = Measures(topic=42.0, node=30.0, gap=12.0)
+_BETWEEN, _MARGIN = 96.0, 4.0
 
 
 class _Vertex(NamedTuple):
@@ -29,15 +27,6 @@ class _Vertex(NamedTuple):
     name: str
     detail: str
     width: float
-
-
-class _Line(NamedTuple):
-    """Who says what, or hears it, by numbers of vertices."""
-
-    node: int
-    topic: int
-    says: bool
-    hears: bool
 
 
 def network_section(given: ReportInput) -> Optional[Html]:
@@ -81,17 +70,9 @@ def _table(graph: CommunicationGraph) -> Html:
 
 
 def _picture(small: Folded) -> Html:
-    vertices, lines = _parts(small)
-    found = layered(
-        len(vertices), [(each.node, each.topic) if each.says else (each.topic, each.node) for each in lines]
-    )
-    layers = ordered(found.layers, found.chains)
-    sizes = {
-        vertex: _PASSING if vertex >= len(vertices) else _TOPIC_HEIGHT if vertices[vertex].is_topic else _NODE_HEIGHT
-        for layer in layers
-        for vertex in layer
-    }
-    places = heights(layers, found.chains, sizes, _GAP)
+    vertices, lines = _vertices(small), links_of(small.graph)
+    found = arranged([each.is_topic for each in vertices], lines, _MEASURES)
+    layers, places = found.layers, found.places
     lefts: Dict[int, float] = {}
     widths: Dict[int, float] = {}
     left = _MARGIN
@@ -101,11 +82,11 @@ def _picture(small: Folded) -> Html:
             lefts[vertex], widths[vertex] = left, widest
         left += widest + _BETWEEN
     width = max(left - _BETWEEN + _MARGIN, 1.0)
-    height = max((places[vertex] + sizes[vertex] / 2.0 for vertex in places), default=0.0) + 2.0 * _MARGIN
+    height = found.bottom + 2.0 * _MARGIN
     parts: List[Html] = []
     for number, line in enumerate(lines):
         chain = found.chains[number]
-        parts.append(_curve(chain, lefts, widths, places, backwards=number in found.reversed_edges, line=line))
+        parts.append(_curve(chain, lefts, widths, places, backwards=number in found.reversed_links, line=line))
     for number, each in enumerate(vertices):
         parts.append(_box(each, lefts[number], widths[number], places[number] + _MARGIN))
     arrow = element(
@@ -132,19 +113,13 @@ def _picture(small: Folded) -> Html:
     )
 
 
-def _parts(small: Folded) -> tuple[List[_Vertex], List[_Line]]:
-    graph = small.graph
-    nodes, topics = graph.nodes, graph.topics
-    vertices = [_vertex(node, "", small, is_topic=False) for node in nodes]
-    for topic in topics:
+def _vertices(small: Folded) -> List[_Vertex]:
+    vertices = [_vertex(node, "", small, is_topic=False) for node in small.graph.nodes]
+    for topic in small.graph.topics:
         rate = "" if topic.rate is None else f"{topic.rate:.3g} Hz"
         detail = " · ".join(part for part in (", ".join(topic.types), rate) if part)
         vertices.append(_vertex(topic.name, detail, small, is_topic=True))
-    node_numbers = {node: number for number, node in enumerate(nodes)}
-    topic_numbers = {topic.name: len(nodes) + number for number, topic in enumerate(topics)}
-    says = {(node_numbers[flow.node], topic_numbers[flow.topic]) for flow in graph.flows if flow.node}
-    hears = {(node_numbers[node], topic_numbers[topic]) for topic, node in graph.subscriptions or ()}
-    return vertices, [_Line(*pair, pair in says, pair in hears) for pair in sorted(says | hears)]
+    return vertices
 
 
 def _vertex(name: str, detail: str, small: Folded, *, is_topic: bool) -> _Vertex:
@@ -155,7 +130,7 @@ def _vertex(name: str, detail: str, small: Folded, *, is_topic: bool) -> _Vertex
 
 
 def _box(vertex: _Vertex, left: float, width: float, y: float) -> Html:
-    height = _TOPIC_HEIGHT if vertex.is_topic else _NODE_HEIGHT
+    height = _MEASURES.topic if vertex.is_topic else _MEASURES.node
     rect = element(
         "rect",
         x=f"{left:.1f}",
@@ -174,10 +149,10 @@ def _curve(
     chain: Sequence[int],
     lefts: Dict[int, float],
     widths: Dict[int, float],
-    places: Dict[int, float],
+    places: Mapping[int, float],
     *,
     backwards: bool,
-    line: _Line,
+    line: Link,
 ) -> Html:
     pieces: List[str] = []
     for before, after in zip(chain, chain[1:]):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from typing import Generic, Sequence, TypeVar
 
 from rqt_mrta_py.hooks import Fact, Heard, IncidentBoard, RuleSetup, Subscription
@@ -12,7 +13,7 @@ __all__ = ["FactRule"]
 _Key = TypeVar("_Key")
 
 
-class FactRule(Generic[_Key]):
+class FactRule(ABC, Generic[_Key]):
     """A rule without subscriptions; those that derive from it say what to notice, and what it means that time is up.
 
     Args:
@@ -35,9 +36,9 @@ class FactRule(Generic[_Key]):
     def hear(self, heard: Heard, board: IncidentBoard) -> None:
         """Take in nothing."""
 
+    @abstractmethod
     def notice(self, fact: Fact, board: IncidentBoard) -> None:
         """Take in a fact."""
-        raise NotImplementedError
 
     def begin(self, board: IncidentBoard) -> None:
         """Take in that the stream has begun, at ``start``."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from typing import Dict, Sequence, Tuple
 
 from rqt_mrta_py.hooks import AllocationEnded, AllocationExpired, AllocationStarted, Fact, IncidentBoard, RuleSetup
@@ -28,19 +29,19 @@ class Overlap(FactRule[str]):
         self._held: Dict[str, Dict[str, Hold]] = {}
         self._since: Dict[str, float] = {}
 
+    @abstractmethod
     def side(self, robot: str, task: str) -> Tuple[str, str]:
         """Say what must not be held twice, and by what it is held."""
-        raise NotImplementedError
 
+    @abstractmethod
     def deadline(self, key: str, since: float, holds: Dict[str, Hold]) -> float:
         """Say until when it may be so [s]."""
-        raise NotImplementedError
 
+    @abstractmethod
     def put_up(
         self, key: str, since: float, members: Sequence[str], holds: Dict[str, Hold], board: IncidentBoard
     ) -> None:
         """Put up the incident."""
-        raise NotImplementedError
 
     def notice(self, fact: Fact, board: IncidentBoard) -> None:
         """Follow who holds what."""
