@@ -57,6 +57,17 @@ def test_topics_are_opened_together_and_once_and_all_who_want_to_hear_are_waited
     assert node.advertised == ["/a", "/b"]
 
 
+def test_a_way_that_is_begun_is_not_waited_for() -> None:
+    node = Node({"/a": ("/robot1/agent",)})
+    opened = Ways(node, [], lambda: False)
+    opening = opened.begin([("/a", "std_msgs/String", False)])
+    assert opening is not None
+    assert opening.topics == ("/a",)
+    # Each look lets one more node be connected, and sees it at the next.
+    assert [opening.is_over() for _ in range(3)] == [False, True, True]
+    assert opened.begin([("/a", "std_msgs/String", False)]) is None
+
+
 def test_those_who_have_died_are_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
     """A master knows the subscriptions of a node that was killed until another one takes its name."""
     monkeypatch.setattr(ways, "_DOUBT", 0.0)

@@ -11,7 +11,8 @@
 * ``live_run``: a mission as nodes, from what the user asks for to its outputs; ``node_processes``, ``own_master``: what
   it starts; ``tick_stream``: what it hears, tick by tick; ``supervised_run``: the same while somebody asks and orders
 * ``simulation_loop``, ``agent_loop``: a world and a robot on a node; ``ways``: topics that are open before anything is
-  said on them, ``foreseen``: which those are; ``mission_parameters``: which mission it is
+  said on them, ``foreseen``: which those are, ``unsaid``: what waits for others; ``mission_parameters``: which mission
+  it is
 * ``world_turns``, ``agent_side``: what these loops do in a tick, without any I/O; ``hold_back``, ``tick_messages``: the
   order of lock step; ``arrivals``: that of teams whose clock runs freely
 * ``served_parameters``: a robot's parameters on the parameter server

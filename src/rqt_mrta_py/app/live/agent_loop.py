@@ -13,6 +13,7 @@ from rqt_mrta_py.app.live.agent_side import AgentSide
 from rqt_mrta_py.app.live.foreseen import spoken_topics
 from rqt_mrta_py.app.live.hold_back import agent_node
 from rqt_mrta_py.app.live.tick_messages import DONE_TOPIC, DONE_TYPE, TICK_TOPIC, TickDone, TickNews
+from rqt_mrta_py.app.live.unsaid import Unsaid, topics_of
 from rqt_mrta_py.app.live.ways import Ways, expanded
 from rqt_mrta_py.errors import TransportError, UsageError
 from rqt_mrta_py.hooks import AnyOutgoing, OutgoingRows, Stamped
@@ -60,6 +61,7 @@ class AgentLoop:
         self._skipped = 0
         self._resolved: Dict[str, str] = {}
         self._foreseen: List[Tuple[str, str, bool]] = []
+        self._unsaid = Unsaid(node.publish, self._resolve)
 
     def listen(self, mission: Mission, *, own_time: bool = False) -> None:
         """Begin to hear; of ticks last, for the simulation takes it that who hears them hears everything.
@@ -191,14 +193,22 @@ class AgentLoop:
         types: List[str] = []
         latched: List[bool] = []
         for said in says:
-            names = said.topics if isinstance(said, OutgoingRows) else (said.topic,)
+            names = topics_of(said)
             topics.extend(map(self._resolve, names))
             types.extend([said.type] * len(names))
             latched.extend([not isinstance(said, OutgoingRows) and said.latched] * len(names))
-        self._ways.open((*self._foreseen, *zip(topics, types, latched)))
+        spoken = (*self._foreseen, *zip(topics, types, latched))
         self._foreseen.clear()
+        if news.lock_step or news.tick == 0:
+            self._ways.open(spoken)
+        else:
+            # The clock goes on: a robot that waited for a new way would not be heard on any other.
+            opening = self._ways.begin(spoken)
+            if opening is not None:
+                self._unsaid.await_opening(opening)
+        self._unsaid.look()
         for said in says:
-            node.publish(said, news.stamp)
+            self._unsaid.say(said, news.stamp)
         # Where nobody waits, the clock begins to run when all have taken the first turn.
         if news.lock_step or news.tick == 0:
             self._way_back.open([(DONE_TOPIC, DONE_TYPE, False)])

@@ -5,14 +5,14 @@ from __future__ import annotations
 import itertools
 import logging
 import time
-from typing import Callable, Collection, Dict, FrozenSet, Iterable, Protocol, Sequence, Set, Tuple
+from typing import Callable, Collection, FrozenSet, Iterable, Mapping, Optional, Protocol, Sequence, Set, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import EVERYTHING, Stamped, Subscription
 from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN, Mission
 from rqt_mrta_py.transport.ros1.master import Graph
 
-__all__ = ["Opener", "Ways", "expanded", "foreseen_topics", "overhear"]
+__all__ = ["Opener", "Opening", "Ways", "expanded", "foreseen_topics", "overhear"]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
@@ -69,7 +69,7 @@ class Ways:
         self._open: Set[str] = set()
 
     def open(self, topics: Iterable[Tuple[str, str, bool]]) -> None:
-        """Open topics, together; those that are open stay so.
+        """Open topics, together, and wait until they are; those that are open stay so.
 
         Args:
             topics: each resolved, with its type and whether it is latched.
@@ -77,40 +77,80 @@ class Ways:
         Raises:
             TransportError: as of ``advertise``.
         """
+        opening = self.begin(topics)
+        while opening is not None and not self._ends() and not opening.is_over():
+            time.sleep(_LOOK)
+
+    def begin(self, topics: Iterable[Tuple[str, str, bool]]) -> Optional[Opening]:
+        """Begin to open topics, together, without waiting.
+
+        Args:
+            topics: each resolved, with its type and whether it is latched.
+
+        Returns:
+            What tells when they are open; None if all of them have been begun before.
+
+        Raises:
+            TransportError: as of ``advertise``.
+        """
         new = [each for each in dict.fromkeys(topics) if each[0] not in self._open]
         if not new:
-            return
+            return None
         for topic, type_name, latched in new:
             self._node.advertise(topic, type_name, latched)
-        self._open.update(topic for topic, _, _ in new)
+        names = [topic for topic, _, _ in new]
+        self._open.update(names)
         try:
             graph = self._node.graph()
-            witnesses = self._witnesses.intersection(graph.nodes)
-            self._wait({topic: {*graph.subscribers.get(topic, ()), *witnesses} for topic, _, _ in new})
         except TransportError as error:
             # The mission goes on without a master; who comes to hear of the topics later may miss the beginning.
-            _log.warning("nobody knows who hears %s: %s", ", ".join(topic for topic, _, _ in new), error)
+            _log.warning("nobody knows who hears %s: %s", ", ".join(names), error)
+            return Opening(self._node, dict.fromkeys(names, frozenset()))
+        witnesses = self._witnesses.intersection(graph.nodes)
+        return Opening(self._node, {topic: witnesses.union(graph.subscribers.get(topic, ())) for topic in names})
 
-    def _wait(self, wanted: Dict[str, Set[str]]) -> None:
-        """Wait until nodes are connected to topics, those that are alive."""
-        began = time.monotonic()
-        doubt = began + _DOUBT
-        while not self._ends():
-            here = {topic: self._node.hearers(topic) | self._node.refused(topic) for topic in wanted}
-            missing = {topic: nodes - here[topic] for topic, nodes in wanted.items()}
-            absent = set().union(*missing.values())
-            if not absent:
-                return
-            now = time.monotonic()
-            if now > began + _PATIENCE:
-                told = ", ".join(f"{topic} {node}" for topic, nodes in missing.items() for node in sorted(nodes))
-                _log.warning("nobody waits any longer for: %s", told)
-                return
-            if now > doubt:
-                dead = {node for node in absent if not self._node.reaches(node)}
-                wanted = {topic: nodes - dead for topic, nodes in wanted.items()}
-                doubt = time.monotonic() + _DOUBT
-            time.sleep(_LOOK)
+
+class Opening:
+    """Topics that are being opened.
+
+    Attributes:
+        topics: their names.
+
+    Args:
+        node: that publishes.
+        wanted: who is to be connected to each.
+    """
+
+    def __init__(self, node: Opener, wanted: Mapping[str, FrozenSet[str]]) -> None:
+        self.topics = tuple(wanted)
+        self._node = node
+        self._wanted = wanted
+        self._began = time.monotonic()
+        self._doubt = self._began + _DOUBT
+
+    def is_over(self) -> bool:
+        """Look whether all who live are connected, or have been waited for long enough."""
+        missing = {
+            topic: nodes - self._node.hearers(topic) - self._node.refused(topic)
+            for topic, nodes in self._wanted.items()
+        }
+        absent = frozenset().union(*missing.values())
+        if not absent:
+            return True
+        now = time.monotonic()
+        if now > self._began + _PATIENCE:
+            told = ", ".join(f"{topic} {node}" for topic, nodes in missing.items() for node in sorted(nodes))
+            _log.warning("nobody waits any longer for: %s", told)
+            return True
+        if now > self._doubt:
+            try:
+                dead = frozenset(node for node in absent if not self._node.reaches(node))
+            except TransportError as error:
+                _log.warning("nobody knows who lives and hears %s: %s", ", ".join(self.topics), error)
+                return True
+            self._wanted = {topic: nodes - dead for topic, nodes in self._wanted.items()}
+            self._doubt = time.monotonic() + _DOUBT
+        return False
 
 
 def expanded(topic: str, team: Sequence[str], tasks: Sequence[str]) -> Sequence[str]:
