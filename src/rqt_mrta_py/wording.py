@@ -5,7 +5,7 @@ from __future__ import annotations
 from difflib import get_close_matches
 from typing import Iterable, Optional
 
-__all__ = ["accepted", "nearest", "shown"]
+__all__ = ["accepted", "nearest", "printable", "shown"]
 
 _LONGEST = 60
 _MOST = 12
@@ -51,3 +51,23 @@ def shown(value: object) -> str:
     if "\n" in text:
         text = " ".join(text.split())
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."
+
+
+def printable(text: str, kept: str = "") -> str:
+    r"""Write a text so that a terminal shows it and obeys nothing in it: a name from a bag may hold commands.
+
+    Args:
+        text: as received.
+        kept: characters that stand as they are though they are no printable ones, for instance the ends of lines.
+
+    Returns:
+        The text with whatever is not printable (``str.isprintable``) escaped as Python does: ``\x1b``, ``\u202e``.
+    """
+    if text.isprintable():
+        return text
+    return "".join(
+        character
+        if character.isprintable() or character in kept
+        else character.encode("unicode_escape").decode("ascii")
+        for character in text
+    )

@@ -8,7 +8,7 @@
 * ``plugin_verbs``: those of plugins
 * ``common``: what verbs share; ``table``: columns of text; ``show_text``: what ``show`` puts into them
 * ``watch_display``: what ``watch`` prints; ``watch_screen``: what it shows on a terminal
-* ``stdout``: data for whoever reads it; ``logs``, ``log_format``: everything else
+* ``stdout``: data for whoever reads it; ``logs``, ``log_format``: everything else; ``terminal``: text, and no commands
 """
 
 from __future__ import annotations

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 import math
 import sys
 import time
@@ -12,6 +11,8 @@ from typing import TYPE_CHECKING, Any, Iterable, List, Mapping, Optional
 
 from rqt_mrta_py.app.cli.stdout import standard_output
 from rqt_mrta_py.app.cli.table import print_table
+from rqt_mrta_py.app.cli.terminal import as_json, commanded, guard_streams
+from rqt_mrta_py.wording import printable
 
 if TYPE_CHECKING:
     from rqt_mrta_py.app.outputs.results import MissionResult
@@ -99,13 +100,13 @@ def add_output_arguments(parser: argparse.ArgumentParser) -> None:
 
 def print_json(schema: str, value: Mapping[str, Any]) -> None:
     """Print one JSON document that names its schema."""
-    print(json.dumps({"schema": f"rqt_mrta_py/{schema}/1", **value}, indent=2, ensure_ascii=False, allow_nan=False))
+    print(as_json({"schema": f"rqt_mrta_py/{schema}/1", **value}, indent=2))
 
 
 def complain_about(problems: Iterable[object]) -> None:
     """Print what was skipped, a line each, on stderr."""
     for problem in problems:
-        print(f"mrta: skipped: {problem}", file=sys.stderr)
+        print(f"mrta: skipped: {printable(str(problem))}", file=sys.stderr)
 
 
 def finish(result: MissionResult, options: argparse.Namespace, schema: str) -> int:
@@ -185,6 +186,8 @@ class ProgressLine:
             TextColumn("{task.completed:.0f} of {task.total:.0f} " + self._unit),
             TimeElapsedColumn(),
         )
-        self._bar = Progress(*columns, console=Console(stderr=True), transient=True)
+        self._bar = Progress(*columns, console=Console(file=commanded(sys.stderr)), transient=True)
         self._task = self._bar.add_task("", total=planned)
         self._bar.start()
+        # Until it stops, rich takes what is printed, and draws it above the bar with the commands in it.
+        guard_streams()

@@ -5,11 +5,12 @@ from __future__ import annotations
 import argparse
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Iterable
 
 from rqt_mrta_py.app.cli.common import not_negative, print_json, print_table
 from rqt_mrta_py.app.cli.stdout import standard_output
 from rqt_mrta_py.errors import UsageError
+from rqt_mrta_py.wording import printable
 
 if TYPE_CHECKING:
     from rqt_mrta_py.app.compare.comparison import Comparison
@@ -80,15 +81,15 @@ def _print(comparison: Comparison, shift: float) -> None:
     from rqt_mrta_py.app.compare.text import allocation_table, figure_table, incident_lines, task_lines
     from rqt_mrta_py.app.compare.wording import side_line, verdict_line
 
-    print(f"A: {side_line(comparison.first)}")
-    print(f"B: {side_line(comparison.second)}\n")
+    print(f"A: {printable(side_line(comparison.first))}")
+    print(f"B: {printable(side_line(comparison.second))}\n")
     figures = figure_table(comparison)
     if figures.rows:
         print_table(*figures)
     else:
         print("all figures are equal")
     print()
-    print("\n".join(task_lines(comparison, shift)))
+    _print_lines(task_lines(comparison, shift))
     allocations = allocation_table(comparison, shift)
     if allocations.rows:
         print_table(allocations.head, allocations.rows[:_MOST_PRINTED])
@@ -96,9 +97,14 @@ def _print(comparison: Comparison, shift: float) -> None:
     incidents = incident_lines(comparison)
     if incidents:
         print("\nincidents of one mission only (+ B, - A):")
-        print("\n".join(incidents[:_MOST_PRINTED]))
+        _print_lines(incidents[:_MOST_PRINTED])
         _print_rest(len(incidents))
-    print(f"\n{verdict_line(comparison)}")
+    print(f"\n{printable(verdict_line(comparison))}")
+
+
+def _print_lines(lines: Iterable[str]) -> None:
+    for line in lines:
+        print(printable(line))
 
 
 def _print_rest(count: int) -> None:

@@ -12,6 +12,7 @@ from rqt_mrta_py import __version__
 from rqt_mrta_py.app.cli.logs import start_logging
 from rqt_mrta_py.app.cli.parser import CommandParser, VerbParser, verbosity
 from rqt_mrta_py.app.cli.stdout import mute
+from rqt_mrta_py.app.cli.terminal import guarded_streams
 from rqt_mrta_py.errors import MrtaError, UsageError
 from rqt_mrta_py.wording import shown
 
@@ -35,6 +36,12 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     Returns:
         The exit status.
     """
+    with guarded_streams():
+        return _run(argv)
+
+
+def _run(argv: Optional[Sequence[str]]) -> int:
+    """Run one verb; give the exit status."""
     arguments = without_remappings(sys.argv[1:] if argv is None else argv)
     verbose = 0
     try:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from rqt_mrta_py.app.cli.common import ProgressLine, print_json, print_table
 from rqt_mrta_py.app.cli.stdout import standard_output
+from rqt_mrta_py.wording import printable
 
 if TYPE_CHECKING:
     from rqt_mrta_py.app.salvage_bag import SalvageReport
@@ -60,7 +61,7 @@ def _print(report: SalvageReport) -> None:
     if report.faults and not report.counted:
         print("  there may have been more messages than LOST tells of: the bag's own index is damaged or missing")
     for fault in report.faults[:_MOST_PRINTED]:
-        print(f"  {fault} ({fault.lost} bytes not understood, {fault.missing} missing)")
+        print(f"  {printable(str(fault))} ({fault.lost} bytes not understood, {fault.missing} missing)")
     further = len(report.faults) + report.untold - min(len(report.faults), _MOST_PRINTED)
     if further:
         print(f"  and {further} more{'' if report.untold else '; --json tells all'}")

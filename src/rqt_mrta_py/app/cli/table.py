@@ -7,6 +7,8 @@ import sys
 import textwrap
 from typing import Iterator, List, Optional, Sequence
 
+from rqt_mrta_py.wording import printable
+
 __all__ = ["print_table", "table_lines"]
 
 _GAP = "  "
@@ -34,7 +36,7 @@ def table_lines(head: Sequence[str], rows: Sequence[Sequence[str]], width: Optio
     Returns:
         The lines, without blanks at their ends. No text is left out, whatever the width.
     """
-    table = [head, *rows]
+    table = [[printable(cell) for cell in row] for row in (head, *rows)]
     widths = [max(len(row[column]) for row in table) for column in range(len(head) - 1)]
     longest = max(len(row[-1]) for row in table)
     left = sum(widths) + len(_GAP) * len(widths)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import sys
 from contextlib import contextmanager
@@ -11,9 +10,11 @@ from pathlib import Path
 from typing import Any, Dict, Iterator, Optional, Sequence, Tuple
 
 from rqt_mrta_py.app.cli.table import print_table
+from rqt_mrta_py.app.cli.terminal import as_json
 from rqt_mrta_py.app.watch.view import Display, WatchView
 from rqt_mrta_py.model import CommunicationGraph, Event, Mission, Severity
 from rqt_mrta_py.supervisor import Standing, communication, event_lines, incident_lines, summary
+from rqt_mrta_py.wording import printable
 
 __all__ = ["JsonDisplay", "LinesDisplay", "display_for", "graph_rows"]
 
@@ -73,14 +74,14 @@ class LinesDisplay:
         lines.extend(f"{robot} has {task}" for robot, task in standing.holds)
         lines.extend(f"{task} is {state.value}" for task, state in standing.tasks if task not in held.values())
         for line in lines:
-            print(f"{0.0:8.1f} s  {line}, as {teller} says")
+            print(f"{0.0:8.1f} s  {printable(line)}, as {printable(teller)} says")
         sys.stdout.flush()
 
     def tell(self, events: Sequence[Event], start: float) -> None:
         """Print a line for each event: seconds since the start, what matters, what happened."""
         for event in events:
             weight = "" if event.severity is Severity.INFO else f"{event.severity.value}: "
-            print(f"{event.time - start:8.1f} s  {weight}{event.text}")
+            print(f"{event.time - start:8.1f} s  {weight}{printable(event.text)}")
         sys.stdout.flush()
 
     def show(self, view: WatchView) -> None:
@@ -171,7 +172,7 @@ class JsonDisplay:
         draw(view, self._picture)
 
     def _print(self, line: str, fields: Dict[str, Any]) -> None:
-        print(json.dumps({"schema": SCHEMA, "line": line, **fields}, ensure_ascii=False, allow_nan=False), flush=True)
+        print(as_json({"schema": SCHEMA, "line": line, **fields}), flush=True)
 
 
 def graph_rows(graph: CommunicationGraph) -> Sequence[Tuple[str, str, str, str, str]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Iterable, List, Optional, Sequence, Tuple, Type
@@ -11,10 +12,12 @@ from rich.live import Live
 from rich.table import Table
 from rich.text import Text
 
+from rqt_mrta_py.app.cli.terminal import commanded, guard_streams
 from rqt_mrta_py.app.cli.watch_display import draw, graph_rows
 from rqt_mrta_py.app.watch.view import WatchView
 from rqt_mrta_py.model import Event, Mission, RobotRecord, RobotState, Severity, TaskState
 from rqt_mrta_py.supervisor import Standing
+from rqt_mrta_py.wording import printable
 
 __all__ = ["ScreenDisplay"]
 
@@ -48,12 +51,14 @@ class ScreenDisplay:
 
     def __init__(self, picture: Optional[Path] = None, console: Optional[Console] = None) -> None:
         self._picture = picture
-        self._console = Console(highlight=False) if console is None else console
+        self._console = Console(file=commanded(sys.stdout), highlight=False) if console is None else console
         self._live = Live(console=self._console, auto_refresh=False, vertical_overflow="crop")
         self._where = ""
 
     def __enter__(self) -> ScreenDisplay:
         self._live.start()
+        # Until it stops, rich takes what is printed, and draws it above the tables with the commands in it.
+        guard_streams()
         return self
 
     def __exit__(
@@ -86,8 +91,9 @@ class ScreenDisplay:
         start = record.start if record.start is not None else now
         name = view.mission.application.package or view.mission.application.name or "a team"
         architecture = view.mission.architecture.package or view.mission.architecture.name
-        title = Text.assemble((name, "bold"), f" under {architecture}   {now - start:.1f} s   {view.messages} messages")
-        title.append(f"   {self._where}", style="bright_black")
+        title = _text(name, "bold")
+        title.append(f" under {printable(architecture)}   {now - start:.1f} s   {view.messages} messages")
+        title.append(f"   {printable(self._where)}", style="bright_black")
         topics = graph_rows(view.graph) if view.graph is not None else []
         incidents = _incidents(view, start)
         room = max(self._console.height - _FIXED - max(1, len(incidents)), 6)
@@ -109,10 +115,10 @@ def _robots(view: WatchView, now: float, most: int) -> Rows:
     holdings = view.holdings()
     return [
         (
-            Text(robot.id),
+            _text(robot.id),
             Text(robot.state.value, _ROBOT_STYLES[robot.state]),
             _seconds(now - robot.states[-1].start) if robot.states else "",
-            Text(", ".join(holdings.get(robot.id, ()))),
+            _text(", ".join(holdings.get(robot.id, ()))),
             _last_heard(robot, now),
         )
         for robot in view.record.robots[:most]
@@ -129,10 +135,10 @@ def _tasks(view: WatchView, now: float, most: int) -> Rows:
     holders = view.holders()
     return [
         (
-            Text(task.id),
+            _text(task.id),
             Text(task.state.value, _TASK_STYLES[task.state]),
             _seconds(now - task.history[-1].start) if task.history else "",
-            Text(", ".join(holders.get(task.id, ()))),
+            _text(", ".join(holders.get(task.id, ()))),
         )
         for task in view.record.tasks[:most]
     ]
@@ -144,7 +150,7 @@ def _incidents(view: WatchView, start: float) -> Rows:
         (
             _seconds(incident.start - start),
             Text(incident.severity.value, _INCIDENT_STYLES[incident.severity]),
-            Text(incident.text),
+            _text(incident.text),
         )
         for incident in reversed(view.record.incidents[-_MOST_INCIDENTS:])
     ]
@@ -156,10 +162,15 @@ def _table(head: Sequence[str], rows: Rows, of: int = 0) -> Table:
     for title in head:
         table.add_column(title, no_wrap=title not in ("HOLDS", "HELD BY", ""), overflow="ellipsis")
     for row in rows:
-        table.add_row(*row)
+        table.add_row(*(cell if isinstance(cell, Text) else _text(cell) for cell in row))
     if of > len(rows):
         table.add_row(f"and {of - len(rows)} more", *[""] * (len(head) - 1))
     return table
+
+
+def _text(foreign: str, style: str = "") -> Text:
+    """Show a text as it is: neither rich's markup in it nor a terminal's commands do anything."""
+    return Text(printable(foreign), style)
 
 
 def _shares(room: int, wanted: Iterable[int]) -> List[int]:

@@ -13,6 +13,7 @@ from rqt_mrta_py.app.cli.logs import start_logging
 from rqt_mrta_py.app.compose import Host, compose
 from rqt_mrta_py.errors import MrtaError
 from rqt_mrta_py.transport.ros1 import RosNode
+from rqt_mrta_py.wording import printable
 
 __all__ = ["Ending", "node_main"]
 
@@ -113,13 +114,13 @@ def node_main(
         return 0
     except MrtaError as error:
         for line in str(error).splitlines():
-            sys.stderr.write(f"{name}: {line}\n")
+            sys.stderr.write(f"{name}: {printable(line)}\n")
         return error.exit_code
     except KeyboardInterrupt:
         return 130
     except Exception as error:  # noqa: BLE001 - the last border: a defect of ours is told in one line too
         _log.debug("node=%s", name, exc_info=True)
-        sys.stderr.write(f"{name}: internal error: {type(error).__name__}: {error}\n")
+        sys.stderr.write(f"{name}: internal error: {type(error).__name__}: {printable(str(error))}\n")
         return 70
     finally:
         if node is not None:

@@ -17,6 +17,7 @@ from rqt_mrta_py.hooks import Renderer
 from rqt_mrta_py.model import MissionRecord, Outcome, TaskState
 from rqt_mrta_py.render import write_picture
 from rqt_mrta_py.supervisor import event_lines, incident_lines, summary
+from rqt_mrta_py.wording import printable
 
 __all__ = ["MissionResult", "Results", "Stopwatch", "write_results"]
 
@@ -56,7 +57,7 @@ class MissionResult:
         ]
         start = record.start or 0.0
         lines += [
-            f"{incident.start - start:8.1f} s  {incident.severity.value}: {incident.text}"
+            f"{incident.start - start:8.1f} s  {incident.severity.value}: {printable(incident.text)}"
             for incident in record.incidents
         ]
         lines.append(f"outputs: {self.folder}")
