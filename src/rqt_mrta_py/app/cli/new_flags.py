@@ -65,7 +65,8 @@ def _add_architecture(parser: argparse.ArgumentParser) -> None:
         metavar="KEYS",
         dest="topics",
         action="append",
-        help="a topic to watch, such as 'meaning: busy_robots, name: /busy, type: my_msgs/Busy, field: robot'",
+        help="a topic to watch, such as 'meaning: busy_robots, name: /busy, type: my_msgs/Busy, field: robot'; further "
+        "keys, among them join and when, stand in docs/config.md, 'answers of a new architecture'",
     )
     group.add_argument(
         "--parameter",

@@ -54,6 +54,26 @@ _PACKAGE = (
     Key("run_depends", ValueType.TEXTS, "Enter further ROS packages that are needed when it runs, if any.", default=()),
 )
 
+_JOIN = Table(
+    "join",
+    "Another topic that says for which task stands what is named in the task's place, for instance an auction.",
+    (
+        Key("name", ValueType.TEXT, "Absolute topic, which may hold @robot_id@ and @task_id@."),
+        Key("type", ValueType.TEXT, "Message type, such as my_msgs/Auction."),
+        Key("field", ValueType.TEXT, "Path of the id of what stands for a task."),
+        Key("task_field", ValueType.TEXT, "Path of the id of that task."),
+    ),
+)
+
+_WHEN = Table(
+    "when",
+    "Only messages in which a field has a value count.",
+    (
+        Key("field", ValueType.TEXT, "Path of a whole number, a string or a bool."),
+        Key("value", ValueType.TEXT, 'The value, as a text: "0", "true".'),
+    ),
+)
+
 _TOPIC = Table(
     "topic",
     "A topic by which robots and tasks are watched.",
@@ -67,6 +87,8 @@ _TOPIC = Table(
         Key("queue_size", ValueType.WHOLE, "Messages that are kept; 0 for all.", default=10, minimum=0),
         Key("timeout", ValueType.NUMBER, "How long one message keeps the state fresh.", "s", 2.0, above=0),
         Key("horizon", ValueType.NUMBER, "History window.", "s", 5.0, above=0),
+        Key("join", ValueType.TABLE, "Who says for which task the id stands.", default=None, table=_JOIN),
+        Key("when", ValueType.TABLE, "Which messages count; all if not given.", default=None, table=_WHEN),
     ),
 )
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Dict, List, Tuple
+from typing import Dict, Iterator, List, Tuple
 
 from rqt_mrta_py.config.packages.answers import Answers
 from rqt_mrta_py.config.packages.answers_form import MEANINGS
@@ -63,7 +63,7 @@ def architecture_files(answers: Answers, described: PackageDescription) -> Dict[
     with_plugin = bool(answers.value("plugin", True))
     exported = {"architecture": "${prefix}/rqt_mrta.xml"}
     dependencies: List[Tuple[str, List[str]]] = [("buildtool_depend", ["catkin"])]
-    needed = [*described.run_depends, "rqt_mrta_py", *(entry.topic.type.partition("/")[0] for entry in answers.topics)]
+    needed = [*described.run_depends, "rqt_mrta_py", *(name.partition("/")[0] for name in _types(answers))]
     files: Dict[str, str] = {}
     if with_plugin:
         exported["plugin"] = f"{package}.plugin"
@@ -77,6 +77,14 @@ def architecture_files(answers: Answers, described: PackageDescription) -> Dict[
     files["CMakeLists.txt"] = cmake_text(package, ["rqt_mrta.xml"], python=with_plugin)
     files["rqt_mrta.xml"] = write_architecture(_specification(answers, described, with_plugin))
     return {path: files[path] for path in sorted(files)}
+
+
+def _types(answers: Answers) -> Iterator[str]:
+    """Give the types of messages that are read, those of joins too."""
+    for entry in answers.topics:
+        yield entry.topic.type
+        if entry.topic.join is not None:
+            yield entry.topic.join.type
 
 
 def _specification(answers: Answers, described: PackageDescription, with_plugin: bool) -> ArchitectureSpec:

@@ -11,7 +11,15 @@ from rqt_mrta_py.config.parameters.lookup import leaves
 from rqt_mrta_py.config.tasks.task_text import task_of
 from rqt_mrta_py.config.yaml.rows import Row
 from rqt_mrta_py.errors import ConfigError, Problem
-from rqt_mrta_py.model import MonitoredTopic, ParameterTemplate, ParameterType, Task, normalise_id
+from rqt_mrta_py.model import (
+    MonitoredTopic,
+    ParameterTemplate,
+    ParameterType,
+    Task,
+    TopicCondition,
+    TopicJoin,
+    normalise_id,
+)
 from rqt_mrta_py.wording import shown
 
 __all__ = [
@@ -95,7 +103,13 @@ def task_entry(row: Row, path: str, number: int) -> TaskEntry:
 def topic_entry(row: Row, path: str, _number: int) -> TopicEntry:
     """Read a monitored topic."""
     values = dict(row.values)
-    return TopicEntry(values.pop("meaning"), MonitoredTopic(**values), Origin(path, row.line, row.element))
+    meaning, join, when = (values.pop(key) for key in ("meaning", "join", "when"))
+    topic = MonitoredTopic(
+        **values,
+        join=None if join is None else TopicJoin(**join.values),
+        condition=None if when is None else TopicCondition(**when.values),
+    )
+    return TopicEntry(meaning, topic, Origin(path, row.line, row.element))
 
 
 def parameter_entry(row: Row, path: str, _number: int) -> ParameterEntry:
