@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple, Optional, Tuple
 
-__all__ = ["ConnectionTiming", "Gap", "RobotClock", "SenderClock", "TimingTable"]
+__all__ = ["ClockPair", "ConnectionTiming", "Gap", "RobotClock", "SenderClock", "TimingTable"]
 
 
 class Gap(NamedTuple):
@@ -89,9 +89,32 @@ class RobotClock:
     clock: SenderClock
 
 
+class ClockPair(NamedTuple):
+    """How far the clocks of two robots are apart, each of which received what the other sent.
+
+    Attributes:
+        robot: whose clock.
+        other: that it is held against.
+        at_least: robot's clock minus the other's is at least this [s].
+        at_most: and at most this [s]; where it is less, no offset fits that stayed the same.
+    """
+
+    robot: str
+    other: str
+    at_least: float
+    at_most: float
+
+
 @dataclass(frozen=True)
 class TimingTable:
-    """All connections of a stream by topic, caller and type; the robots of which there are stamps, in their order."""
+    """All connections of a stream by topic, caller and type; the robots of which there are stamps, in their order.
+
+    Attributes:
+        connections: see above.
+        robots: see above.
+        pairs: of robots on both of which bags were recorded.
+    """
 
     connections: Tuple[ConnectionTiming, ...] = ()
     robots: Tuple[RobotClock, ...] = ()
+    pairs: Tuple[ClockPair, ...] = ()

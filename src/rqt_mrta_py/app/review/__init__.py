@@ -4,5 +4,6 @@
 * ``recordings``: bags as one stream, whole or not
 * ``subject``: what they are about; ``inference``: if nobody says so
 * ``taking``: their messages on the way; ``skimming``: how they are taken in; ``habits``: which say anything new
+* ``hosts``: what bags tell of clocks that were recorded on robots
 * ``moments``: when a picture is drawn; ``account``: what was read, and why so
 """

@@ -70,6 +70,9 @@ class Recording:
         return lines
 
 
+_Heard = Callable[[Recording, Iterator[Block]], Iterator[Block]]
+
+
 class Recordings:
     """Bags of one mission.
 
@@ -140,11 +143,18 @@ class Recordings:
         told = [each.told for each in self.bags if each.told is not None]
         return min(told, key=lambda stamped: stamped.receipt_ns, default=None)
 
-    def blocks(self, excerpt: Excerpt) -> Iterator[Block]:
-        """Read all bags, or a part of them, by time of receipt; equal times keep the order of the bags."""
+    def blocks(self, excerpt: Excerpt, heard: Optional[_Heard] = None) -> Iterator[Block]:
+        """Read all bags, or a part of them, by time of receipt; equal times keep the order of the bags.
+
+        Args:
+            excerpt: which part.
+            heard: takes in the blocks of each of several bags on their way; None if nobody does.
+        """
         connections = ConnectionList()
-        streams = [bag.blocks(connections, excerpt) for bag in self.bags]
-        return streams[0] if len(streams) == 1 else merged(streams)
+        if len(self.bags) == 1:
+            return self.bags[0].blocks(connections, excerpt)
+        streams = [(bag, bag.blocks(connections, excerpt)) for bag in self.bags]
+        return merged(blocks if heard is None else heard(bag, blocks) for bag, blocks in streams)
 
     def messages(self, excerpt: Excerpt) -> Iterator[Stamped]:
         """Read the same one by one."""

@@ -21,6 +21,7 @@ from rqt_mrta_py.app.outputs.report import ReportSource, bag_file, write_report
 from rqt_mrta_py.app.outputs.results import MissionResult, Stopwatch, write_results
 from rqt_mrta_py.app.review.account import review_account
 from rqt_mrta_py.app.review.choice import edges_of, excerpt_of
+from rqt_mrta_py.app.review.hosts import HostTimings
 from rqt_mrta_py.app.review.moments import Moments, picture_period
 from rqt_mrta_py.app.review.recordings import Recordings
 from rqt_mrta_py.app.review.request import ReviewRequest
@@ -84,8 +85,9 @@ def review_bag(
             files = PictureFiles(path, open_film(folder, request.video))
             stack.callback(files.close)
             pictures = Moments(host.renderer("monitor"), files, picture_period(mission, period), observation)
+        hosts = HostTimings()
         taking = Taking(Skimming(observation), pictures, patience, interrupt)
-        taking.take(recordings.blocks(excerpt), start_ns, lambda passed: progress(passed, length))
+        taking.take(recordings.blocks(excerpt, hosts.heard), start_ns, lambda passed: progress(passed, length))
         if pictures is not None:
             files.finish()
         with patience.at_work("the end of the review"):
@@ -95,11 +97,10 @@ def review_bag(
         write_figures(folder, figures)
         heard_ns = start_ns if taking.heard_ns is None else taking.heard_ns
         heard = takewhile(lambda stamped: stamped.receipt_ns <= heard_ns, recordings.messages(excerpt))
-        said = observation.news()
-        stream = partial(with_news, heard, said, codec, recordings.topics)
+        stream = partial(with_news, heard, observation.news(), codec, recordings.topics)
         write_message_exports(folder, exporters, results.record, stream, patience)
         write_communication(folder, taking.spans, results.record, picture=pictures is not None)
-        timings = taking.timings.table([robot.id for robot in results.record.robots])
+        timings = hosts.table(taking.timings, [robot.id for robot in results.record.robots])
         write_clocks(folder, timings)
         bags = tuple(bag_file(bag.path, bag.info.messages) for bag in recordings.bags)
         source = ReportSource("review", bags, recorded_communication(taking.spans), timings)

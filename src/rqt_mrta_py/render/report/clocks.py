@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import List, Optional, Sequence
 
-from rqt_mrta_py.model.timing import ConnectionTiming, Gap, RobotClock, SenderClock
+from rqt_mrta_py.model.timing import ClockPair, ConnectionTiming, Gap, RobotClock, SenderClock
 from rqt_mrta_py.render.report.html import Content, Html, element, joined
 from rqt_mrta_py.render.report.report_input import ReportInput
 from rqt_mrta_py.render.report.tables import moment, section, table
@@ -14,6 +14,7 @@ __all__ = ["clocks_section"]
 
 _MOST = 1000
 _STAMPS = ("offset [ms]", "drift [ppm]", "ahead by at least [ms]", "later, half [ms]", "later, 95 % [ms]")
+_PAIR = ("robot", "against", "ahead by at least [ms]", "at most [ms]")
 _NOTE = (
     "Header stamps against the time of receipt. An offset is that of the promptest messages: the clock's error less "
     "the shortest latency, which messages that go one way cannot tell apart; the clock is ahead by at least what is "
@@ -28,6 +29,7 @@ def clocks_section(given: ReportInput) -> Optional[Html]:
     start = given.view.record.start or 0.0
     connections = given.clocks.connections
     robots = [_robot(each) for each in given.clocks.robots[:_MOST]]
+    pairs = given.clocks.pairs[:_MOST]
     rows = [_connection(each, start) for each in connections[:_MOST]]
     more = len(connections) - len(rows)
     heads = ("topic", "node", "messages", "rate [Hz]", "period [ms]", "jitter [ms]", "longest silence [s]", "gaps")
@@ -35,6 +37,9 @@ def clocks_section(given: ReportInput) -> Optional[Html]:
         "clocks",
         "Clocks and gaps",
         table("The robots' clocks", ("robot", "told by", *_STAMPS), robots, 2) if robots else None,
+        table("Clocks of robots that recorded each other", _PAIR, [_pair(each) for each in pairs], 2)
+        if pairs
+        else None,
         element(
             "details",
             element("summary", f"All {len(connections)} connections"),
@@ -48,6 +53,10 @@ def clocks_section(given: ReportInput) -> Optional[Html]:
 
 def _robot(each: RobotClock) -> List[Content]:
     return [each.robot, element("code", each.topic), *_stamps(each.clock)]
+
+
+def _pair(each: ClockPair) -> List[Content]:
+    return [each.robot, each.other, _scaled(each.at_least, 1e3), _scaled(each.at_most, 1e3)]
 
 
 def _connection(each: ConnectionTiming, start: float) -> List[Content]:

@@ -104,6 +104,15 @@ def timing_document(table: TimingTable) -> Dict[str, Any]:
             {"id": each.robot, "topic": each.topic, "node": each.caller or None, **_clock(each.clock)}
             for each in table.robots
         ],
+        "pairs": [
+            {
+                "id": each.robot,
+                "other": each.other,
+                "at_least": _rounded(each.at_least),
+                "at_most": _rounded(each.at_most),
+            }
+            for each in table.pairs
+        ],
         "connections": [_row(row) for row in table.connections],
     }
 
