@@ -10,10 +10,11 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Type, TypeVar
 
+from rqt_mrta_py.app.cli.main import main
 from rqt_mrta_py.hooks import Stamped
 from rqt_mrta_py.transport import read_bag
 
-__all__ = ["LiveRun", "Process", "patrol_in", "robot_agent"]
+__all__ = ["LiveRun", "Process", "check_review_is_run", "patrol_in", "robot_agent"]
 
 _ROOT = Path(__file__).resolve().parents[2]
 
@@ -103,3 +104,11 @@ def patrol_in(folder: Path, events: str) -> Path:
     text, _, _ = scenario.read_text().replace("world: bullet", "world: planar").partition("events:")
     scenario.write_text(f"{text}events:\n{events}")
     return package
+
+
+def check_review_is_run(run: LiveRun, folder: Path) -> None:
+    """Review a run's bag to a folder below another one; what it found must be what the run found."""
+    review = folder / "review"
+    assert main(["review", str(run.out / "mission.bag"), "--pictures", "0", "-q", "--out", str(review)]) == 0
+    for name in ("summary.json", "events.jsonl", "incidents.jsonl"):
+        assert (review / name).read_bytes() == (run.out / name).read_bytes(), name

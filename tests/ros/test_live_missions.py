@@ -12,7 +12,7 @@ import pytest
 
 from rqt_mrta_py.app.cli.main import main
 from tests.growing_bags import written_so_far
-from tests.ros.live_team import LiveRun, patrol_in, robot_agent
+from tests.ros.live_team import LiveRun, check_review_is_run, patrol_in, robot_agent
 from tests.ros_master import MasterProcess
 from tests.ros_process import PythonProcess, wait_for
 
@@ -89,6 +89,18 @@ def test_lock_step_leaves_the_same_bytes_as_one_process(
     for name in SAME:
         assert (tmp_path / "live" / name).read_bytes() == (tmp_path / "embedded" / name).read_bytes(), name
     assert live.summary["allocations"]
+
+
+@pytest.mark.parametrize("application", ["cleanup", "target_visiting"])
+def test_a_free_running_mission_reviews_to_its_own_bytes(
+    master: MasterProcess, tmp_path: Path, application: str
+) -> None:
+    """Threads and sockets order its messages; the bag tells how. ``test_run_services`` reviews border_patrol."""
+    plan = (application, "--robots", "2", "--duration", "4", "--world", "planar")
+    with LiveRun(tmp_path / "live", master.environment, *plan) as live:
+        live.finish()
+    assert live.summary["allocations"]
+    check_review_is_run(live, tmp_path)
 
 
 @pytest.fixture(scope="module")

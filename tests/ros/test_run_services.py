@@ -9,9 +9,8 @@ from typing import List
 
 import pytest
 
-from rqt_mrta_py.app.cli.main import main
 from rqt_mrta_py.transport import read_bag
-from tests.ros.live_team import LiveRun, patrol_in
+from tests.ros.live_team import LiveRun, check_review_is_run, patrol_in
 from tests.ros_master import MasterProcess
 from tests.ros_process import PythonProcess
 
@@ -106,10 +105,3 @@ def test_run_in_lock_step_obeys(master: MasterProcess, tmp_path: Path) -> None:
 
 def told(run: LiveRun) -> List[str]:
     return [json.loads(line)["text"] for line in (run.out / "events.jsonl").read_text().splitlines()]
-
-
-def check_review_is_run(run: LiveRun, folder: Path) -> None:
-    review = folder / "review"
-    assert main(["review", str(run.out / "mission.bag"), "--pictures", "0", "-q", "--out", str(review)]) == 0
-    for name in ("summary.json", "events.jsonl", "incidents.jsonl"):
-        assert (review / name).read_bytes() == (run.out / name).read_bytes(), name
