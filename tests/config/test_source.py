@@ -34,6 +34,15 @@ def test_source_of_a_folder_without_manifest_is_its_file(write: Write) -> None:
     assert find_source(Registry(), str(file.parent), ARCHITECTURE) == Source("plain", file)
 
 
+def test_source_that_is_in_no_package_is_called_by_its_own_name(write: Write) -> None:
+    """It was once called as its folder, whatever that was."""
+    file = write("downloads/yard.xml", "<a/>")
+
+    assert find_source(Registry(), str(file), ARCHITECTURE) == Source("yard", file)
+    usual = write("yard_watch/rqt_mrta.xml", "<a/>")
+    assert find_source(Registry(), str(usual), ARCHITECTURE) == Source("yard_watch", usual)
+
+
 def test_source_of_a_folder_that_holds_nothing_is_refused(tmp_path: Path) -> None:
     with pytest.raises(DiscoveryError) as caught:
         find_source(Registry(), str(tmp_path), ARCHITECTURE)

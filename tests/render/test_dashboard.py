@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from rqt_mrta_py.hooks import CurveGroup, CurvePanel, MonitorView
-from rqt_mrta_py.model import Pose, RobotState
+from rqt_mrta_py.model import Outcome, Pose, RobotState
 from rqt_mrta_py.render import draw_dashboard
 from rqt_mrta_py.render.palette import MUTED, STATE_COLOURS, Colour, TaskColours
 from rqt_mrta_py.render.spells import spells
@@ -72,6 +72,17 @@ def test_dashboard_gives_bars_the_tasks_colours_and_robots_their_states(drawn: n
     assert has(drawn, at(3.0, 0, 36.0), STATE_COLOURS[RobotState.IDLE])
     assert has(drawn, at(40.0, 0, 36.0), STATE_COLOURS[RobotState.BUSY])
     assert has(drawn, at(150.0, 2, 36.0), STATE_COLOURS[RobotState.OFFLINE])
+
+
+def test_dashboard_writes_short_names_into_bars_too() -> None:
+    """Names of up to four letters were once left out."""
+
+    def bar(task: str) -> np.ndarray:
+        record = views.record_of(["rover"], [task], [("rover", task, 4.0, 21.0, Outcome.OPEN)], {}, 21.0)
+        picture = draw_dashboard(replace(views.single(), record=record, panels=()))
+        return picture[122:148, 850:1572]
+
+    assert not np.array_equal(bar("gate"), bar("shed"))
 
 
 def test_dashboard_says_so_where_no_place_is_known() -> None:

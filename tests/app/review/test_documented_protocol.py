@@ -58,7 +58,7 @@ def test_the_file_shown_tells_robots_tasks_and_what_went_wrong(mrta: Mrta, file:
     status, lines = mrta("review", str(bag), "--architecture", str(file), "--pictures", "0", "--out", "out", "-q")
     assert (status, lines) == (0, [])
     summary: Dict[str, Any] = json.loads(Path("out/summary.json").read_text(encoding="utf-8"))
-    assert summary["taxonomy"] == "ST-SR-IA"
+    assert (summary["architecture"], summary["taxonomy"]) == ("yard", "ST-SR-IA")
     assert {task["id"]: task["state"] for task in summary["tasks"]} == {
         "gate": "done",
         "shed": "done",

@@ -7,6 +7,7 @@ from typing import Dict, List, Optional, Tuple
 
 import pytest
 
+from rqt_mrta_py.model import CommunicationGraph, Flow
 from rqt_mrta_py.render.report import ReportInput, report_html
 from tests.render.report.missions import empty_mission, hostile_mission, usual_mission
 
@@ -98,6 +99,29 @@ def test_time_on_connections_is_told_where_somebody_measured() -> None:
     assert '<a href="#t=20.000" class="when">20.0 s</a> for 0.3 s' in text
     assert 'id="clocks"' in text
     assert 'id="clocks"' not in report_html(replace(usual_mission(), clocks=None))
+
+
+@pytest.mark.parametrize(
+    ("start", "date"),
+    [
+        (1_795_407_306.474, "2026-11-23 04:15:06 to 2026-11-23 04:16:46 UTC"),
+        (1e15, "1000000000000000 s after 1970-01-01 to 1000000000000100 s after 1970-01-01 UTC"),
+        (1.0, None),
+    ],
+    ids=["wall clock", "past the calendar", "simulated"],
+)
+def test_a_clock_that_counts_from_1970_is_told_as_a_date(start: float, date: Optional[str]) -> None:
+    given = usual_mission()
+    record = replace(given.view.record, start=start, end=start + 100.0)
+    text = report_html(replace(given, view=replace(given.view, record=record)))
+    assert ("<dt>date</dt>" in text) == (date is not None)
+    assert date is None or f"<dt>date</dt><dd>{date}" in text
+
+
+def test_nodes_and_topics_are_counted_in_words() -> None:
+    said = CommunicationGraph((Flow("/yard", "/state", "std_msgs/String", 3, 1.0),))
+    assert "1 node, 1 topic; a bag" in report_html(replace(usual_mission(), communication=said))
+    assert "5 nodes, 2 topics; a bag" in report_html(usual_mission())
 
 
 def test_a_mission_of_nothing_says_so() -> None:

@@ -22,7 +22,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="what the bags are about (default: what they say, else what their topics fit)",
     )
     parser.add_argument(
-        "--architecture", metavar="A", help="a registered name or an rqt_mrta.xml that says how to read the bags"
+        "--architecture",
+        metavar="A",
+        help="a registered name or an rqt_mrta.xml that says how to read the bags (docs/review.md shows one)",
     )
     parser.add_argument(
         "--from", dest="start", metavar="S", type=not_negative, help="leave out what was received before, in seconds"

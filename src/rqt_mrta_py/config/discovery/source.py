@@ -49,7 +49,7 @@ def find_source(registry: Registry, name: str, kind: RegistrationKind) -> Source
     if not (folder / MANIFEST).is_file():
         if not (folder / _FILE).is_file() and file is None:
             raise DiscoveryError(f"{name}: holds neither {MANIFEST} nor {_FILE}")
-        return Source(folder.name, file or folder / _FILE)
+        return Source(_name_of(file or folder / _FILE), file or folder / _FILE)
     manifest = read_manifest(folder / MANIFEST)
     for registration in manifest.registrations:
         if registration.kind is kind and file in (None, registration.file):
@@ -88,8 +88,13 @@ def find_registrations(registry: Registry, name: str) -> Tuple[Registration, ...
             return found
     if not file.is_file():
         raise DiscoveryError(f"{name}: {'registers nothing and ' if has_manifest else ''}holds no {_FILE}")
-    package = manifest.name if manifest is not None else folder.name
+    package = manifest.name if manifest is not None else _name_of(file)
     return (Registration(package, folder, _kind_of(file), file=file, manifest=file),)
+
+
+def _name_of(file: Path) -> str:
+    """Name what is in no package: a file by its own name, one of the usual name by its folder's."""
+    return file.parent.name if file.name == _FILE else file.stem
 
 
 def _kind_of(file: Path) -> RegistrationKind:

@@ -7,7 +7,7 @@ from typing import Any, List, Mapping, Sequence, Tuple
 from rqt_mrta_py.render.canvas import Box
 from rqt_mrta_py.render.charts.sheet import Sheet
 from rqt_mrta_py.render.palette import FRAME, GRID, INK, MUTED, SEVERITY_COLOURS
-from rqt_mrta_py.render.text import Style, fit, shorten, wrap
+from rqt_mrta_py.render.text import Style, fit, shorten, text_width, wrap
 from rqt_mrta_py.render.times import elapsed, seconds
 
 __all__ = ["draw_figures", "draw_incidents"]
@@ -15,6 +15,8 @@ __all__ = ["draw_figures", "draw_incidents"]
 _HEAD = Style(12, bold=True)
 _CELL = Style(12)
 _LINE = 19.0
+_COLUMN = 66.0
+"""Room for a word such as 'allocation' at the head of a column [pixels]."""
 
 
 def draw_figures(sheet: Sheet, box: Box) -> float:
@@ -84,15 +86,16 @@ def _table(
     if not names or not columns:
         return box.top
     columns = columns[:3]
-    first = 0.34 * box.width
+    longest = max(text_width(name, _CELL) for name in (kind, *names))
+    first = min(longest + 12.0, box.width - _COLUMN * len(columns))
     width = (box.width - first) / len(columns)
-    heads = [wrap(name.replace("_", " "), _HEAD, width - 8.0, 3) for name, _ in columns]
+    heads = [wrap(name.replace("_", " "), _CELL, width - 6.0, 3) for name, _ in columns]
     depth = max(2, *(len(head) for head in heads))
-    sheet.text(box.left, box.top + (depth - 0.5) * 15.0, kind, _HEAD, MUTED)
+    sheet.text(box.left, box.top + (depth - 0.5) * 15.0, kind, _CELL, MUTED)
     for index, head in enumerate(heads):
         for line, words in enumerate(head):
             y = box.top + (depth - len(head) + line + 0.5) * 15.0
-            sheet.text(box.left + first + (index + 1) * width, y, words, _HEAD, MUTED, "right")
+            sheet.text(box.left + first + (index + 1) * width, y, words, _CELL, MUTED, "right")
     y = box.top + depth * 15.0 + 3.0
     sheet.rectangle(Box(box.left, y, box.right, y + 1), FRAME)
     room = max(int((box.bottom - y) / _LINE), 1)

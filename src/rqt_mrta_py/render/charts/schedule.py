@@ -156,7 +156,8 @@ def _bar(sheet: Sheet, axes: Any, allocation: Allocation, place: Tuple[float, fl
         write(axes, right - width / 2.0, middle, sign, _SIGN, ha="center", color=rgb(readable_on(ground)))
         room -= needed
     words = shorten(allocation.task, _BAR, room - 10.0)
-    if height >= _ABOVE_LEAST and len(words) > 4:
+    # Of a long name so little is left that it says nothing.
+    if height >= _ABOVE_LEAST and (words == allocation.task or len(words) > 4):
         left = allocation.start + 5.0 * per_pixel
         write(axes, left, middle, words, _BAR, ha="left", color=rgb(readable_on(colour)))
 

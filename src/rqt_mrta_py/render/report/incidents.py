@@ -7,7 +7,7 @@ from typing import Optional
 from rqt_mrta_py.model import Evidence, Incident, Severity
 from rqt_mrta_py.render.report.html import Html, element, joined
 from rqt_mrta_py.render.report.report_input import ReportInput
-from rqt_mrta_py.render.report.tables import moment, section
+from rqt_mrta_py.render.report.tables import counted, moment, section
 from rqt_mrta_py.render.times import seconds
 
 __all__ = ["incidents_section", "severity_sign"]
@@ -80,7 +80,7 @@ def _evidence(incident: Incident, start: float) -> Optional[Html]:
     count = len(incident.evidence)
     return element(
         "details",
-        element("summary", f"Evidence: {count} message{'' if count == 1 else 's'}"),
+        element("summary", f"Evidence: {counted(count, 'message')}"),
         element(
             "ul",
             *(_message(each, start) for each in shown),

@@ -9,7 +9,7 @@ from rqt_mrta_py.render.network.arrangement import Link, Measures, arranged, lin
 from rqt_mrta_py.render.network.folding import Folded, folded
 from rqt_mrta_py.render.report.html import Content, Html, element, words
 from rqt_mrta_py.render.report.report_input import ReportInput
-from rqt_mrta_py.render.report.tables import section, table
+from rqt_mrta_py.render.report.tables import counted, section, table
 
 __all__ = ["network_section"]
 
@@ -35,7 +35,7 @@ def network_section(given: ReportInput) -> Optional[Html]:
     if graph is None or not graph.flows:
         return None
     small = folded(graph, [robot.id for robot in given.view.record.robots], _MOST_TOPICS)
-    note = f"{len(graph.nodes)} nodes, {len(graph.topics)} topics"
+    note = f"{counted(len(graph.nodes), 'node')}, {counted(len(graph.topics), 'topic')}"
     if graph.subscriptions is None:
         note += "; a bag does not tell who hears"
     if small.left_out:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import datetime, timezone
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple
 
 from rqt_mrta_py.render.report.html import Content, Html, element
@@ -13,6 +14,8 @@ __all__ = ["provenance_section"]
 
 _MOST_PARAMETERS = 1000
 _DEEPEST = 12
+_WALL_CLOCK = 1e9
+"""A clock that counts from 1970 has passed this in 2001; those of simulations begin near 0 [s]."""
 
 
 def provenance_section(given: ReportInput) -> Html:
@@ -29,6 +32,8 @@ def provenance_section(given: ReportInput) -> Html:
     if record.start is not None and record.end is not None:
         length = seconds(record.end - record.start)
         facts.append(("time", f"{record.start:.3f} s to {record.end:.3f} s on the stream's clock, {length}"))
+        if record.start >= _WALL_CLOCK:
+            facts.append(("date", f"{_date(record.start)} to {_date(record.end)} UTC, if that clock is the wall's"))
     versions = ", ".join(f"{name} {version}" for name, version in origin.versions.items())
     if versions:
         facts.append(("versions", versions))
@@ -75,6 +80,14 @@ def _told(values: Mapping[str, str], robots: int) -> str:
         f"{value} ({', '.join(names[:6])}{f' and {len(names) - 6} more' if len(names) > 6 else ''})"
         for value, names in together.items()
     )
+
+
+def _date(time: float) -> str:
+    """Write seconds since 1970 as a date; those past the calendar's end as they are."""
+    try:
+        return datetime.fromtimestamp(time, timezone.utc).strftime("%Y-%m-%d %H:%M:%S")
+    except (OverflowError, ValueError, OSError):
+        return f"{time:.0f} s after 1970-01-01"
 
 
 def _size(size: int) -> str:

@@ -11,7 +11,17 @@ from rqt_mrta_py.render.report.report_input import ReportInput
 from rqt_mrta_py.render.signs import OUTCOME_SIGNS, TASK_SIGNS
 from rqt_mrta_py.render.times import seconds
 
-__all__ = ["Column", "allocations_section", "figure", "moment", "robots_section", "section", "table", "tasks_section"]
+__all__ = [
+    "Column",
+    "allocations_section",
+    "counted",
+    "figure",
+    "moment",
+    "robots_section",
+    "section",
+    "table",
+    "tasks_section",
+]
 
 _MOST_ALLOCATIONS = 1000
 _STRIP = 160
@@ -131,14 +141,14 @@ def tasks_section(given: ReportInput, columns: Sequence[Column]) -> Html:
         [
             task.id,
             element("span", f"{TASK_SIGNS[task.state]} {task.state.value}", class_=f"chip {task.state.value}"),
+            _since(task, record.start or 0.0),
             kinds.get(task.id, ""),
             _listed(list(holders.get(task.id, {}))),
-            _since(task, record.start or 0.0),
             *(figure(column.values.get(task.id)) for column in columns),
         ]
         for task in record.tasks[:MOST_ROWS]
     ]
-    heads = ["task", "at the end", "kind", "held by", "since", *(column.title for column in columns)]
+    heads = ["task", "at the end", "since", "kind", "was held by", *(column.title for column in columns)]
     more = len(record.tasks) - len(rows)
     return section(
         "tasks",
@@ -146,6 +156,11 @@ def tasks_section(given: ReportInput, columns: Sequence[Column]) -> Html:
         table("Tasks", heads, rows, 5) if rows else element("p", "No task is known.", class_="calm"),
         element("p", f"{more} more are in summary.json", class_="hint") if more > 0 else None,
     )
+
+
+def counted(count: int, word: str) -> str:
+    """Write a number of things: ``1 node``, ``2 nodes``."""
+    return f"{count:,} {word}{'' if count == 1 else 's'}"
 
 
 def allocations_section(given: ReportInput) -> Html:
@@ -177,7 +192,7 @@ def allocations_section(given: ReportInput) -> Html:
         "Allocations",
         element(
             "details",
-            element("summary", f"All {total} allocation{'' if total == 1 else 's'}"),
+            element("summary", f"All {counted(total, 'allocation')}"),
             table("Allocations", ["from", "lasted", "robot", "task", "outcome"], rows, 9),
             element("p", f"{more} more are in summary.json", class_="hint") if more > 0 else None,
             open=total <= 20,
