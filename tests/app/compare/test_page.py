@@ -42,6 +42,12 @@ def test_the_page_says_what_differs(tmp_path: Path) -> None:
     ]
 
 
+def test_missions_of_unknown_applications_are_named_after_their_folders(tmp_path: Path) -> None:
+    content = {**summary(), "application": None}
+    a, b = folder(tmp_path, "monday", content), folder(tmp_path, "tuesday", content)
+    assert "<h1>monday and tuesday: two missions compared</h1>" in page(compare(read_side(a), read_side(b)), 1.0)
+
+
 def test_texts_from_outside_are_inert_and_come_back_as_they_were(tmp_path: Path) -> None:
     text = written(tmp_path, HOSTILE)
     tree = html.fromstring(text)

@@ -7,7 +7,7 @@ from typing import Dict, List, Optional, Tuple
 
 import pytest
 
-from rqt_mrta_py.model import CommunicationGraph, Flow
+from rqt_mrta_py.model import CommunicationGraph, Flow, TaskInterval, TaskRecord, TaskState
 from rqt_mrta_py.render.report import ReportInput, report_html
 from tests.render.report.missions import empty_mission, hostile_mission, usual_mission
 
@@ -116,6 +116,20 @@ def test_a_clock_that_counts_from_1970_is_told_as_a_date(start: float, date: Opt
     text = report_html(replace(given, view=replace(given.view, record=record)))
     assert ("<dt>date</dt>" in text) == (date is not None)
     assert date is None or f"<dt>date</dt><dd>{date}" in text
+
+
+def test_the_first_tiles_are_read_as_words() -> None:
+    given = usual_mission()
+    record = given.view.record
+    tasks = tuple(
+        TaskRecord(f"task{number}", (TaskInterval(state, 0.0, 9.0),))
+        for number, state in enumerate((TaskState.DONE, TaskState.WAITING, TaskState.DONE))
+    )
+    few = replace(record, robots=record.robots[:1], tasks=tasks, allocations=record.allocations[:1])
+    text = report_html(replace(given, view=replace(given.view, record=few)))
+    for number, words in (("1", "robot"), ("2 of 3", "tasks done"), ("1", "allocation")):
+        assert f'<b>{number}</b><span class="name">{words}</span>' in text
+    assert '<b>5</b><span class="name">robots</span>' in report_html(given)
 
 
 def test_nodes_and_topics_are_counted_in_words() -> None:

@@ -14,6 +14,7 @@ from rqt_mrta_py.app.compare.wording import (
     headline,
     holding,
     number,
+    side_name,
     task_line,
     verdict_line,
 )
@@ -73,7 +74,7 @@ def page(comparison: Comparison, shift: float) -> str:
         The page: no scripts, nothing from elsewhere; every text from outside is escaped. The same for the same
         comparison.
     """
-    names = dict.fromkeys(side.application or "unknown application" for side in (comparison.first, comparison.second))
+    names = dict.fromkeys(side_name(side) for side in (comparison.first, comparison.second))
     title = f"{' and '.join(names)}: two missions compared"
     return "".join(
         [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import List, Optional
 
 from rqt_mrta_py.app.compare.allocations import TaskComparison
@@ -10,7 +11,18 @@ from rqt_mrta_py.app.compare.figures import Figure
 from rqt_mrta_py.app.compare.side import Holding, Side
 from rqt_mrta_py.model import Worse
 
-__all__ = ["NOTHING", "allowed", "change", "headline", "holding", "number", "side_line", "task_line", "verdict_line"]
+__all__ = [
+    "NOTHING",
+    "allowed",
+    "change",
+    "headline",
+    "holding",
+    "number",
+    "side_line",
+    "side_name",
+    "task_line",
+    "verdict_line",
+]
 
 NOTHING = "-"
 """Stands where there is nothing."""
@@ -47,7 +59,16 @@ def side_line(side: Side) -> str:
     ]
     if side.seed is not None:
         parts.insert(1, f"seed {side.seed}")
-    return f"{', '.join(parts)} ({side.path.parent if side.path.name == 'summary.json' else side.path})"
+    return f"{', '.join(parts)} ({_folder(side)})"
+
+
+def side_name(side: Side) -> str:
+    """Name a mission in a word: its application, else the folder that it is in."""
+    return side.application or _folder(side).name or "unknown application"
+
+
+def _folder(side: Side) -> Path:
+    return side.path.parent if side.path.name == "summary.json" else side.path
 
 
 def holding(held: Optional[Holding]) -> str:

@@ -19,21 +19,31 @@ def summary_section(given: ReportInput) -> Html:
     tiles = [_verdict(given), _lasted(given)]
     robots = [sum(robot.state is state for robot in record.robots) for state in RobotState]
     tiles.append(
-        _tile("robots", len(record.robots), _told(zip_names(robots, RobotState), "at the end"), href="#robots")
+        _tile(
+            _named(record.robots, "robot"),
+            len(record.robots),
+            _told(zip_names(robots, RobotState), "at the end"),
+            href="#robots",
+        )
     )
     done = sum(task.state is TaskState.DONE for task in record.tasks)
     states = [sum(task.state is state for task in record.tasks) for state in TaskState]
     tiles.append(
         _tile(
-            "tasks",
-            f"{done} of {len(record.tasks)} done" if done else len(record.tasks),
+            _named(record.tasks, "task") + (" done" if done else ""),
+            f"{done} of {len(record.tasks)}" if done else len(record.tasks),
             _told(zip_names(states, TaskState), "at the end"),
             href="#tasks",
         )
     )
     outcomes = [sum(each.outcome is outcome for each in record.allocations) for outcome in Outcome]
     tiles.append(
-        _tile("allocations", len(record.allocations), _told(zip_names(outcomes, Outcome), ""), href="#allocations")
+        _tile(
+            _named(record.allocations, "allocation"),
+            len(record.allocations),
+            _told(zip_names(outcomes, Outcome), ""),
+            href="#allocations",
+        )
     )
     tiles += _key_figures({**record.statistics, **given.figures})
     heading = element("h2", "Summary", class_="unseen", id="summary-title")
@@ -57,7 +67,7 @@ def _verdict(given: ReportInput) -> Html:
     ]
     worst = next((severity.value for count, severity in counts if count), "well")
     return _tile(
-        "incident" if len(incidents) == 1 else "incidents",
+        _named(incidents, "incident"),
         len(incidents) or "no",
         ", ".join(told) or "nothing went wrong",
         href="#incidents",
@@ -95,6 +105,10 @@ def _key_figures(statistics: Mapping[str, Any]) -> List[Html]:
 
 def _told(counts: Sequence[Tuple[int, str]], when: str) -> str:
     return " ".join(part for part in (", ".join(f"{count} {name}" for count, name in counts), when) if part)
+
+
+def _named(things: Sequence[object], word: str) -> str:
+    return word if len(things) == 1 else f"{word}s"
 
 
 def _tile(name: str, value: Any, note: str, href: Optional[str] = None, kind: Optional[str] = None) -> Html:
