@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import struct
+from dataclasses import replace
 from typing import List, Optional, Sequence, Set, Tuple
 
 import numpy as np
@@ -12,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rqt_mrta_py.hooks import Connection
-from rqt_mrta_py.model.timing import ConnectionTiming, Gap, SenderClock
+from rqt_mrta_py.model.timing import ClockPair, ConnectionTiming, Gap, SenderClock
 from rqt_mrta_py.supervisor.clocks.ledger import begins_with_header
 from rqt_mrta_py.supervisor.clocks.table import Timings, timing_document
 
@@ -165,6 +166,7 @@ def test_the_document_is_the_documented_one() -> None:
     expected = {
         "schema": "rqt_mrta_py/clocks/1",
         "robots": [{"id": "robot1", "topic": "/robot1/said", "node": "/robot1/agent", **clock}],
+        "pairs": [{"id": "robot1", "other": "robot2", "at_least": -0.5, "at_most": 0.25}],
         "connections": [
             {
                 "topic": "/robot1/said",
@@ -202,8 +204,10 @@ def test_the_document_is_the_documented_one() -> None:
             },
         ],
     }
+    pair = ClockPair("robot1", "robot2", -0.5, 0.25)
+    table = replace(timings.table(["robot1"]), pairs=(pair,))
     # As text: the order of keys is part of the promise.
-    assert json.dumps(timing_document(timings.table(["robot1"]))) == json.dumps(expected)
+    assert json.dumps(timing_document(table)) == json.dumps(expected)
 
 
 def test_a_million_years_and_a_million_messages_are_kept_in_little_memory() -> None:
