@@ -18,7 +18,8 @@ def test_review_gives_the_same_bytes_as_the_run(patrol: Outputs, patrol_review: 
 @pytest.mark.parametrize("application", ["cleanup", "target_visiting"])
 def test_other_applications_review_to_the_same_bytes_too(tmp_path: Path, application: str) -> None:
     run, review = tmp_path / "run", tmp_path / "review"
-    assert main(["run", application, "--duration", "12", "--pictures", "0", "--out", str(run), "-q"]) == 0
+    plan = ["run", application, "--duration", "12", "--world", "planar", "--pictures", "0", "--out", str(run), "-q"]
+    assert main(plan) == 0
     assert main(["review", str(run / "mission.bag"), "--pictures", "0", "--out", str(review), "-q"]) == 0
     assert len((run / "events.jsonl").read_bytes().splitlines()) >= 5
     for name in ("events.jsonl", "incidents.jsonl", "summary.json"):
@@ -42,7 +43,8 @@ def test_review_draws_the_same_pictures_as_the_run(patrol: Outputs, patrol_revie
 def test_a_picture_period_that_is_no_whole_number_of_ticks_is_the_same_in_run_and_review(tmp_path: Path) -> None:
     """At 20 Hz, 0.33 s is nearest to seven ticks of 0.05 s."""
     run, review = tmp_path / "run", tmp_path / "review"
-    assert main(["run", "border_patrol", "--duration", "1", "--pictures", "0.33", "--out", str(run), "-q"]) == 0
+    plan = ["run", "border_patrol", "--duration", "1", "--world", "planar", "--pictures", "0.33"]
+    assert main([*plan, "--out", str(run), "-q"]) == 0
     bag = str(run / "mission.bag")
     assert main(["review", bag, "--pictures", "0.33", "--out", str(review), "-q"]) == 0
     drawn = {path.name: path.read_bytes() for path in (run / "monitor").iterdir()}
