@@ -113,6 +113,16 @@ def test_everything_that_is_wrong_in_a_summary_is_told(
         assert line.startswith(f"{path / 'summary.json'}: {message}")
 
 
+def test_robots_and_tasks_may_be_called_by_blanks(tmp_path: Path) -> None:
+    """Some bag called them so; its review could once not be compared."""
+    content = summary(tasks=[(" ", "done")], robots=[" "], allocations=[allocation(" ", " ", 2.0, 3.0)])
+    content["incidents"] = [incident("rule", "error", 3.0, [" "], [" "])]
+    side = read_side(folder(tmp_path, "a", content))
+    assert (side.robots, side.tasks) == ((" ",), ((" ", "done"),))
+    assert [(each.robot, each.task) for each in side.holdings] == [(" ", " ")]
+    assert side.incidents[0].robots == (" ",)
+
+
 def test_numbers_beyond_all_bounds_are_told(tmp_path: Path) -> None:
     path = folder(tmp_path, "a", summary())
     text = json.dumps(summary()).replace("101.0", "1e999")

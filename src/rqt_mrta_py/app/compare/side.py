@@ -72,7 +72,8 @@ class Side:
 
 
 def _text(name: str, **settings: Any) -> Key:
-    return Key(name, ValueType.TEXT, "", **settings)
+    # Robots and tasks are called as some bag calls them, which may be by a blank.
+    return Key(name, ValueType.TEXT, "", blank=True, **settings)
 
 
 def _list(name: str, *keys: Key) -> Key:
@@ -80,7 +81,7 @@ def _list(name: str, *keys: Key) -> Key:
 
 
 _INTERVAL = (Key("from", ValueType.NUMBER, "", "s"), Key("to", ValueType.NUMBER, "", "s"))
-_IDS = tuple(Key(name, ValueType.TEXTS, "", default=()) for name in ("robots", "tasks"))
+_IDS = tuple(Key(name, ValueType.TEXTS, "", default=(), blank=True) for name in ("robots", "tasks"))
 _TIME = (Key("start", ValueType.NUMBER, "", "s", None), Key("end", ValueType.NUMBER, "", "s", None))
 
 # Keys are only ever added to a summary, so further ones are passed over.

@@ -84,7 +84,9 @@ def _type(key: Key) -> Dict[str, Any]:
 
 
 def _text(key: Key) -> Dict[str, Any]:
-    return {"type": "string", "enum": list(key.choices)} if key.choices else dict(_TEXT)
+    if key.choices:
+        return {"type": "string", "enum": list(key.choices)}
+    return {"type": "string"} if key.blank else dict(_TEXT)
 
 
 def _number(key: Key, name: str) -> Dict[str, Any]:

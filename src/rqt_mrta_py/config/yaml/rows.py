@@ -148,7 +148,7 @@ def _scalar(node: YamlNode, key: Key) -> Any:
     if key.type is ValueType.SWITCH:
         return value if isinstance(value, bool) else None
     if key.type in (ValueType.TEXT, ValueType.TEXTS, ValueType.GROUPS):
-        fits = isinstance(value, str) and value.strip() and (not key.choices or value in key.choices)
+        fits = isinstance(value, str) and (key.blank or value.strip()) and (not key.choices or value in key.choices)
         return value if fits else None
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         return None

@@ -48,6 +48,7 @@ class Key:
         minimum, maximum: of a number, both included; None if there is none.
         above: of a number, not included; None if there is none.
         choices: of a text; empty if any text will do.
+        blank: of a text or texts, whether one without anything but blanks will do.
         count: of a list of numbers; None if any.
         table: of TABLE and TABLES.
     """
@@ -63,6 +64,7 @@ class Key:
     choices: Tuple[str, ...] = ()
     count: Optional[int] = None
     table: Optional[Table] = None
+    blank: bool = False
 
 
 @dataclass(frozen=True)
