@@ -28,6 +28,7 @@ from rqt_mrta_py.hooks import (
     Fact,
     Figure,
     FigureSetup,
+    GroundsSetup,
     Heard,
     IncidentBoard,
     InterpreterSetup,
@@ -57,6 +58,7 @@ from rqt_mrta_py.hooks import (
 )
 from rqt_mrta_py.model import (
     Event,
+    Ground,
     Mission,
     MissionRecord,
     Outcome,
@@ -327,6 +329,24 @@ class DearestClaim:
         return {self.name: max(self.claims), "of": len(self.claims), "allocated": len(record.allocations)}
 
 
+class Reasons:
+    """Says what a claim is for, once."""
+
+    def __init__(self, setup: GroundsSetup) -> None:
+        self.place = setup.mission.application.name
+        self.told = False
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        return [Subscription(CLAIM.name, CLAIM.type, ("data",))]
+
+    def hear(self, heard: Heard) -> Sequence[Ground]:
+        if self.told:
+            return ()
+        self.told = True
+        cost = heard.fields["data"]
+        return [Ground(heard.receipt, heard.task, f"{cost} away in {self.place}", heard.robot, {"cost": cost})]
+
+
 class Neighbour:
     """Overhears the mileage."""
 
@@ -408,6 +428,10 @@ class Stranger:
     @hookimpl
     def mrta_register_figures(self) -> Mapping[str, Any]:
         return {"chronicle": Chronicle}
+
+    @hookimpl
+    def mrta_register_grounds_readers(self) -> Mapping[str, Any]:
+        return {"stranger": Reasons}
 
     @hookimpl
     def mrta_register_message_observers(self) -> Mapping[str, Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Dict, List, NamedTuple
+from typing import Any, Dict, List, NamedTuple, Sequence
 
 import pytest
 
@@ -16,6 +16,7 @@ from rqt_mrta_py.app.outputs.figures import figure_makers_for
 from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.app.outputs.picture_files import PictureFiles
 from rqt_mrta_py.app.outputs.pictures import PictureSchedule
+from rqt_mrta_py.app.review.why import Why
 from rqt_mrta_py.app.run.embedded import EmbeddedRun
 from rqt_mrta_py.app.run.watch import WatchPlan, open_watch
 from rqt_mrta_py.config.discovery.search import discover
@@ -24,7 +25,7 @@ from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.hooks import Stamped
 from rqt_mrta_py.hooks.contract import HOOKS
 from rqt_mrta_py.hooks.manager import PluginManager
-from rqt_mrta_py.model import MissionRecord, Twist
+from rqt_mrta_py.model import Explanation, Ground, MissionRecord, Twist
 from rqt_mrta_py.transport import read_bag
 from tests.hooks.garden import MISSION, MOLE
 from tests.hooks.stranger import Stranger
@@ -39,6 +40,7 @@ class Story(NamedTuple):
     record: MissionRecord
     pictures: List[Path]
     folder: Path
+    explanations: Sequence[Explanation]
 
 
 @pytest.fixture(scope="module")
@@ -53,7 +55,8 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
     assert monitor is not None
     exporters = exporters_for(MISSION, ["ledger", "transcript"], manager)
     figures = figure_makers_for(MISSION, ["chronicle"], manager)
-    observation = Observation(MISSION, codec, manager, 1.5, (*exporters.values(), *figures.values()))
+    why = Why(MISSION, ["dig"], manager)
+    observation = Observation(MISSION, codec, manager, 1.5, (*exporters.values(), *figures.values(), *why.listeners))
     run = EmbeddedRun(MISSION, 1.5, codec, manager)
     pictures = PictureSchedule(host.renderer("monitor"), 5, 10, PictureFiles(monitor))
     plan = WatchPlan(
@@ -67,7 +70,7 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
     run.close()
     stream = list(read_bag(folder.path / "mission.bag"))
     heard = [(each.connection.topic, codec.decode(each.connection, each.raw)) for each in stream]
-    return Story(stranger, stream, heard, record, sorted(monitor.iterdir()), folder.path)
+    return Story(stranger, stream, heard, record, sorted(monitor.iterdir()), folder.path, why.explain(record))
 
 
 @pytest.fixture
@@ -209,6 +212,16 @@ def test_hook_mrta_register_exporters_are_handed_the_messages_of_the_bag(story: 
 def test_hook_mrta_register_figures_leaves_the_pictures_that_are_asked_for(story: Story) -> None:
     (picture,) = (story.folder / "figures" / "chronicle").iterdir()
     assert (picture.name, picture.read_bytes()[:4]) == ("mileage.png", b"\x89PNG")
+
+
+def test_hook_mrta_register_grounds_readers_tells_why_a_task_was_taken(story: Story) -> None:
+    (explanation,) = story.explanations
+    assert explanation.grounds == (Ground(1.5, "dig", "3.0 m away in Garden", "mole1", {"cost": "3.0 m"}),)
+    assert [(spell.robot, spell.start, spell.end) for spell in explanation.spells] == [
+        ("", 1.0, 1.5),
+        ("mole1", 1.5, 2.0),
+        ("", 2.0, 2.5),
+    ]
 
 
 def test_hook_mrta_register_message_observers_hears_the_stream(story: Story) -> None:

@@ -226,6 +226,17 @@ def test_hook_mrta_register_figures(run: Run) -> None:
     assert (picture == (190, 135, 38)).all(axis=2).sum() > 10_000
 
 
+def test_hook_mrta_register_grounds_readers(stranger: Stranger, run: Run) -> None:
+    """Every way is 42 m long; the heap's mole claims it at 1.5 s of a stream that begins at 1 s."""
+    bag = str(run.out / "mission.bag")
+    done = stranger.mrta("review", bag, "--out", "why", "--pictures", "0", "--why", "heap", "--json")
+    assert done.returncode == 0, done.stderr
+    (task,) = json.loads(done.stdout)["why"]["tasks"]
+    assert [(each["time"], each["robot"], each["text"]) for each in task["grounds"]] == [
+        (1.5, "mole1", "dug for 42.0 in the Garden")
+    ]
+
+
 def test_hook_mrta_register_message_observers(run: Run) -> None:
     assert run.log.count("INFO stranger: an ear in the Garden") == 1
     assert run.log.count("INFO stranger: heard of mole2: too hard") == 1

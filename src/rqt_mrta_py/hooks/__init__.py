@@ -6,7 +6,7 @@
 * ``stream``: messages, subscriptions, the codec's Protocol
 * ``agent``, ``allocator``, ``behaviour``, ``evaluator``, ``navigator``, ``robot_sensor``: on the robot
 * ``world``, ``robot_model``, ``sensor``, ``link``: in simulation
-* ``allocation``, ``pace``, ``incident``, ``oddity``, ``statistic``, ``measure``: in supervision
+* ``allocation``, ``pace``, ``incident``, ``oddity``, ``statistic``, ``measure``: in supervision; ``grounds``: why
 * ``picture``, ``figure``: in pictures; ``curve_trace`` collects what a panel will show
 * ``parameters``: read and checked
 * ``exporter``, ``observer``: what else hears a mission
@@ -49,6 +49,7 @@ from rqt_mrta_py.hooks.figure import (
     Line,
     LineStyle,
 )
+from rqt_mrta_py.hooks.grounds import GroundsReader, GroundsReaderFactory, GroundsSetup
 from rqt_mrta_py.hooks.incident import (
     AllocationEnded,
     AllocationStarted,
@@ -186,6 +187,9 @@ __all__ = [
     "FigureMaker",
     "FigureMakerFactory",
     "FigureSetup",
+    "GroundsReader",
+    "GroundsReaderFactory",
+    "GroundsSetup",
     "Heard",
     "HookSpecs",
     "IdleTeam",

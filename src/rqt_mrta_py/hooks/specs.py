@@ -26,6 +26,7 @@ from rqt_mrta_py.hooks.benchmark import Benchmark
 from rqt_mrta_py.hooks.evaluator import SensoryEvaluatorFactory
 from rqt_mrta_py.hooks.exporter import ExporterFactory
 from rqt_mrta_py.hooks.figure import FigureMakerFactory
+from rqt_mrta_py.hooks.grounds import GroundsReaderFactory
 from rqt_mrta_py.hooks.incident import IncidentRuleFactory
 from rqt_mrta_py.hooks.link import LinkFactory
 from rqt_mrta_py.hooks.measure import MeasureFactory
@@ -82,6 +83,18 @@ class HookSpecs:
         decide. It is given the mission, whose parameters may be missing, and what those timeouts tell.
         Combined: joined; the first registration of a name wins.
         An exception: stops the command; one raised by a factory stops it too.
+        """
+
+    @hookspec
+    def mrta_register_grounds_readers(self) -> Mapping[str, GroundsReaderFactory]:  # type: ignore[empty-body]
+        """Name who tells on what grounds an architecture's robots take tasks.
+
+        Called: once, by ``mrta review --why``; the factory of the mission's architecture once.
+        Returns: factory by the package name of the architecture; without one, only bids that the architecture's file
+        names, and what operators say of tasks, are told.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command; one raised by a factory or a reader later on is told, and the reader hears no
+        more; the review goes on.
         """
 
     @hookspec

@@ -2,7 +2,8 @@
 
 * ``ids``, ``names``, ``geometry``, ``taxonomy``, ``states``: small vocabularies
 * ``task``, ``application``, ``architecture``, ``parameters``, ``scenario``, ``mission``: what is asked for
-* ``record``, ``communication``, ``timing``: what was observed; ``tolerance``: how much worse another mission may be
+* ``record``, ``communication``, ``timing``: what was observed; ``explanation``: why; ``tolerance``: how much worse
+  another mission may be
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from rqt_mrta_py.model.architecture import (
     TopicJoin,
 )
 from rqt_mrta_py.model.communication import CommunicationGraph, Flow, TopicTraffic
+from rqt_mrta_py.model.explanation import Candidate, Explanation, Ground, Spell, Whereabouts
 from rqt_mrta_py.model.geometry import Pose, Twist, wrap_angle
 from rqt_mrta_py.model.ids import normalise_id, wire_id
 from rqt_mrta_py.model.mission import Mission, MissionTexts
@@ -70,11 +72,14 @@ __all__ = [
     "ArchitectureSpec",
     "Arena",
     "ArrayTemplate",
+    "Candidate",
     "CommunicationGraph",
     "ConfigTemplate",
     "Event",
     "Evidence",
+    "Explanation",
     "Flow",
+    "Ground",
     "Incident",
     "IncludeSpec",
     "LaunchArgument",
@@ -103,6 +108,7 @@ __all__ = [
     "ScenarioSpec",
     "SensorSetup",
     "Severity",
+    "Spell",
     "Task",
     "TaskInterval",
     "TaskRecord",
@@ -115,6 +121,7 @@ __all__ = [
     "TopicJoin",
     "TopicTraffic",
     "Twist",
+    "Whereabouts",
     "Worse",
     "is_legal_name",
     "normalise_id",

@@ -64,6 +64,7 @@ class MonitoredTopic:
         horizon: history window [s].
         join: tells the task where the id in the task's place is of something else; None if it is the task's.
         condition: only messages that meet it count; None if all do.
+        bid_field: path of the number that a robot bids; empty unless this topic tells bids.
     """
 
     name: str
@@ -76,6 +77,7 @@ class MonitoredTopic:
     horizon: float = 5.0
     join: Optional[TopicJoin] = None
     condition: Optional[TopicCondition] = None
+    bid_field: str = ""
 
 
 @dataclass(frozen=True)
@@ -117,6 +119,7 @@ class ArchitectureSpec:
         allocated_tasks: topics that say that a task is being executed.
         completed_tasks: topics that say that a task is done.
         failed_tasks: topics that say that a task has failed.
+        bids: topics that say what a robot bids for a task; nothing follows from them but why tasks went to whom.
         robot_config_id: id of the config that every robot gets a copy of; None if none.
         robot_launch_id: id of the launch that every robot gets a copy of; None if none.
         configs: parameter templates, in file order.
@@ -133,6 +136,7 @@ class ArchitectureSpec:
     allocated_tasks: Tuple[MonitoredTopic, ...] = ()
     completed_tasks: Tuple[MonitoredTopic, ...] = ()
     failed_tasks: Tuple[MonitoredTopic, ...] = ()
+    bids: Tuple[MonitoredTopic, ...] = ()
     robot_config_id: Optional[str] = None
     robot_launch_id: Optional[str] = None
     configs: Tuple[ConfigTemplate, ...] = ()
@@ -141,7 +145,7 @@ class ArchitectureSpec:
 
     @property
     def monitored_topics(self) -> Tuple[MonitoredTopic, ...]:
-        """All topics that are declared, whatever they tell."""
+        """All topics from which states follow."""
         return (
             *self.busy_robots,
             *self.idle_robots,

@@ -11,7 +11,7 @@
 * ``network``: nodes and topics
 * ``layout``, ``canvas``, ``text``, ``labels``, ``signs``, ``stamps``, ``palette``, ``times``, ``spells``,
   ``foremost``: what parts are drawn with
-* ``markers``: the scene for RViz and its like
+* ``markers``: the scene for RViz and its like; ``explaining``: why tasks went to whom they went, in words
 * ``encode``, ``jpeg_series``, ``film``: PNG and JPEG, as bytes and as files; pictures one after another; films
 * ``libraries``: the doors to the drawing libraries
 * ``plugin``: registers the pictures

@@ -13,13 +13,18 @@
 * ``desk``, ``rules``: incidents; ``failures``: plugins that raise on the way
 * ``journal``, ``news``, ``summary``: the same for readers, for other nodes, for programs; ``own_topics``: where
 * ``statistics``: numbers of a finished mission
+* ``explaining``: why tasks went to whom they went, with ``whereabouts`` of robots; ``orders``: what operators
+  wanted; ``bids``: what robots bid
 * ``traffic``: how much flows between nodes and topics
 * ``plugin``: registers rules and statistics
 """
 
 from __future__ import annotations
 
+from rqt_mrta_py.supervisor.bids import bid_grounds
+from rqt_mrta_py.supervisor.explaining import Explainer
 from rqt_mrta_py.supervisor.news import team_news
+from rqt_mrta_py.supervisor.orders import OrderGrounds
 from rqt_mrta_py.supervisor.repeats import Attention
 from rqt_mrta_py.supervisor.standing import Standing, standing_of
 from rqt_mrta_py.supervisor.summary import event_lines, incident_lines, summary
@@ -29,9 +34,12 @@ from rqt_mrta_py.supervisor.traffic import Traffic, communication, recorded_comm
 
 __all__ = [
     "Attention",
+    "Explainer",
+    "OrderGrounds",
     "Standing",
     "Supervisor",
     "Traffic",
+    "bid_grounds",
     "communication",
     "event_lines",
     "incident_lines",

@@ -7,7 +7,7 @@ from typing import Optional
 from rqt_mrta_py.hooks import AllocationEnded, AllocationStarted, Fact, Heard, RobotStateChanged, TaskStateChanged
 from rqt_mrta_py.model import Event, Incident, Outcome, RobotState, Severity, TaskState
 
-__all__ = ["event_of_fact", "event_of_incident", "event_of_unreadable"]
+__all__ = ["event_of_fact", "event_of_incident", "event_of_unreadable", "reason_of_end"]
 
 _ENDED = {
     Outcome.DONE: "{robot} has done {task}",
@@ -45,7 +45,7 @@ def event_of_fact(fact: Fact, why: str = "") -> Optional[Event]:
         return Event(fact.time, "allocation_started", Severity.INFO, text, fact.robot, fact.task, state)
     if isinstance(fact, AllocationEnded):
         severity = Severity.WARNING if fact.outcome in (Outcome.FAILED, Outcome.LOST) else Severity.INFO
-        text = _ENDED[fact.outcome].format(robot=fact.robot, task=fact.task) + because
+        text = _ended(fact.robot, fact.task, fact.outcome) + because
         return Event(fact.time, "allocation_ended", severity, text, fact.robot, fact.task, fact.outcome.value)
     return None
 
@@ -67,3 +67,13 @@ def event_of_incident(incident: Incident, time: float) -> Event:
 def event_of_unreadable(heard: Heard, reason: str, time: float) -> Event:
     """Write down at a time [s] that messages cannot be read, and why."""
     return Event(time, "unreadable", Severity.WARNING, f"{heard.topic} ({heard.type}) cannot be read: {reason}")
+
+
+def reason_of_end(event: Event) -> str:
+    """Read from the event of an allocation that ended why it did; empty if nobody said."""
+    _, _, why = event.text.partition(f"{_ended(event.robot, event.task, Outcome(event.state))}: ")
+    return why
+
+
+def _ended(robot: Optional[str], task: Optional[str], outcome: Outcome) -> str:
+    return _ENDED[outcome].format(robot=robot, task=task)

@@ -26,6 +26,7 @@ _SAYS = {
     "allocated_tasks": "task {} is being executed",
     "completed_tasks": "task {} is done",
     "failed_tasks": "task {} has failed",
+    "bids": "a robot bids for task {}",
 }
 """What one message of a topic means, by the element that names the topic."""
 

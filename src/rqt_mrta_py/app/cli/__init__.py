@@ -6,7 +6,8 @@
 * ``new_flags``, ``interview``: answers that ``new`` gets from flags and at a terminal; ``new_package``: what it makes
   of them; ``prompts``: one question
 * ``plugin_verbs``: those of plugins
-* ``common``: what verbs share; ``table``: columns of text; ``show_text``: what ``show`` puts into them
+* ``common``: what verbs share; ``table``: columns of text; ``show_text``: what ``show`` puts into them; ``why_text``:
+  explanations of ``review``
 * ``watch_display``: what ``watch`` prints; ``watch_screen``: what it shows on a terminal
 * ``stdout``: data for whoever reads it; ``logs``, ``log_format``: everything else; ``terminal``: text, and no commands
 """

@@ -124,9 +124,13 @@ def finish(result: MissionResult, options: argparse.Namespace, schema: str) -> i
 
     with standard_output():
         if options.json:
-            print_json(schema, {"folder": str(result.folder), "summary": result.summary})
+            print_json(schema, {"folder": str(result.folder), "summary": result.summary, **_explained(result)})
         else:
             print(result.text())
+            if result.explanations:
+                from rqt_mrta_py.app.cli.why_text import why_text
+
+                print(why_text(result.explanations, result.record.start or 0.0))
     if result.interrupted:
         return 130
     if options.fail_on is not None:
@@ -134,6 +138,14 @@ def finish(result: MissionResult, options: argparse.Namespace, schema: str) -> i
         if any(incident.severity.rank >= limit for incident in result.record.incidents):
             return 1
     return 0
+
+
+def _explained(result: MissionResult) -> Mapping[str, Any]:
+    if not result.explanations:
+        return {}
+    from rqt_mrta_py.app.outputs.explanations import explanations_document
+
+    return {"why": explanations_document(result.explanations)}
 
 
 class ProgressLine:

@@ -40,6 +40,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="read only these topics, with * and ?, for instance '*/alliance/*'; !PATTERN leaves topics out; may be "
         "given several times",
     )
+    parser.add_argument(
+        "--why",
+        metavar="TASK",
+        action="append",
+        default=[],
+        help="explain a task: who could have had it, who took it when, and on what grounds; with * and ? several; may "
+        "be given several times",
+    )
     add_output_arguments(parser)
 
 
@@ -67,6 +75,7 @@ def main(options: argparse.Namespace) -> int:
         start=options.start,
         end=options.end,
         topics=TopicChoice.of(options.topics),
+        why=tuple(options.why),
     )
     with ProgressLine(first.name, options.quiet) as progress:
         result = review_bag(host, request, progress, _tell)

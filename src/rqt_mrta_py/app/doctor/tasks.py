@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Dict, FrozenSet, Iterator, Mapping, NamedTuple, Optional
+from typing import FrozenSet, Iterator, Mapping, NamedTuple, Optional
 
+from rqt_mrta_py.app.capabilities import known_capabilities
 from rqt_mrta_py.app.doctor.subject import ApplicationFiles, Subject
 from rqt_mrta_py.app.doctor.team import robots_for
 from rqt_mrta_py.app.run.missing import missing_behaviour, missing_layers
@@ -32,7 +33,7 @@ def check_tasks(subject: Subject) -> Iterator[Problem]:
         path = application.tasks_file
         if application.tasks is None or path is None:
             continue
-        capabilities = _capabilities(application.scenario, models)
+        capabilities = known_capabilities(application.scenario, models)
         lines = YamlLines(yaml_text(path) or "")
         for index, task in enumerate(application.tasks):
             for key, message in (
@@ -102,13 +103,3 @@ def _of_place(task: Task, scenario: Optional[ScenarioSpec]) -> Iterator[_Amiss]:
 
 def _is_inside(place: Pose, arena: Arena) -> bool:
     return arena.min_x <= place.x <= arena.max_x and arena.min_y <= place.y <= arena.max_y
-
-
-def _capabilities(scenario: Optional[ScenarioSpec], models: Mapping[str, RobotModel]) -> Dict[str, FrozenSet[str]]:
-    """Tell what each simulated robot of a known model can do."""
-    robots = scenario.robots if scenario is not None else ()
-    return {
-        robot.id: models[robot.model].capabilities.union(robot.capabilities)
-        for robot in robots
-        if robot.model in models
-    }

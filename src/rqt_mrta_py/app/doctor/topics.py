@@ -37,6 +37,7 @@ _OF_TASKS = (
     ("tasks", "completed_tasks"),
     ("tasks", "failed_tasks"),
     ("allocations", "allocated_tasks"),
+    ("allocations", "bids"),
 )
 _PARTS = ("robots", "tasks", "allocations")
 _FIELDS = ("field", "robot_field", "task_field")
@@ -46,6 +47,7 @@ _IDS = frozenset(("string",))
 _WHOLE = frozenset(("byte", "char", *(f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64))))
 _WORDS = {"bool": re.compile("true|false"), **dict.fromkeys(_WHOLE, re.compile("0|-?[1-9][0-9]*"))}
 _COMPARED = _IDS | _WORDS.keys()
+_NUMBERS_BID = _WHOLE | {"float32", "float64"}
 _NOT_OF_TIMEOUTS = ("type", "queue_size", "horizon", *_FIELDS)
 
 
@@ -149,7 +151,7 @@ def _read(root: Element, wrong: Sequence[Problem]) -> List[_Topic]:
         for element in [*holder.repeated("topic"), *(entry.element for entry in holder.numbered(["topic"]))]:
             # One that was never filled in counts for nothing.
             if element.has("name"):
-                found = {child: element.text(child) for child in ("name", "type", "timeout", *_FIELDS)}
+                found = {child: element.text(child) for child in ("name", "type", "timeout", "bid_field", *_FIELDS)}
                 told = [
                     each.element for each in flaws_of(element.lines, wrong) if touches([each.element], element.path)
                 ]
@@ -187,6 +189,10 @@ def _check_type(topic: _Topic, codec: Codec) -> Optional[Definition]:
         fault = field_fault(definition, topic.texts[name].value) if name in topic.texts else None
         if fault is not None:
             topic.problem(name, fault)
+    if "bid_field" in topic.texts:
+        fault = _look_up(definition, topic.texts["bid_field"].value, _NUMBERS_BID, "a number")[1]
+        if fault is not None:
+            topic.problem("bid_field", fault)
     return definition
 
 

@@ -3,6 +3,7 @@
 * ``asking``: asks one part, makes one, hears what it wants to hear
 * ``navigator``, ``allocator``, ``senses``: between agents or behaviours and what they work with
 * ``panel``, ``renderer``, ``exporter``, ``message_exporter``, ``figure``, ``measure``: on the watching side
+* ``grounds``: there too, but never in the way of a review
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from rqt_mrta_py.app.guard.allocator import guarded_allocators
 from rqt_mrta_py.app.guard.asking import guarded, made, makers, wishes_of
 from rqt_mrta_py.app.guard.exporter import GuardedExporter
 from rqt_mrta_py.app.guard.figure import GuardedFigureMaker, checked_figures
+from rqt_mrta_py.app.guard.grounds import GuardedGrounds
 from rqt_mrta_py.app.guard.measure import GuardedMeasure
 from rqt_mrta_py.app.guard.message_exporter import GuardedMessageExporter
 from rqt_mrta_py.app.guard.navigator import GuardedNavigator
@@ -21,6 +23,7 @@ from rqt_mrta_py.app.guard.senses import guarded_evaluators, guarded_robot_senso
 __all__ = [
     "GuardedExporter",
     "GuardedFigureMaker",
+    "GuardedGrounds",
     "GuardedMeasure",
     "GuardedMessageExporter",
     "GuardedNavigator",

@@ -10,7 +10,7 @@ from rqt_mrta_py import __version__
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.app.outputs.versions import installed_versions
-from rqt_mrta_py.model import CommunicationGraph, Mission, MissionRecord
+from rqt_mrta_py.model import CommunicationGraph, Explanation, Mission, MissionRecord
 from rqt_mrta_py.model.timing import TimingTable
 from rqt_mrta_py.render.report import BagFile, Provenance, ReportInput, report_html
 from rqt_mrta_py.transport.patterns import TopicPattern
@@ -29,12 +29,14 @@ class ReportSource:
         bags: that were recorded or read.
         communication: nodes and topics; None if unknown.
         clocks: what messages tell of time; None where nobody measured.
+        explanations: of the tasks that somebody asked about.
     """
 
     made_by: str
     bags: Tuple[BagFile, ...] = ()
     communication: Optional[CommunicationGraph] = None
     clocks: Optional[TimingTable] = None
+    explanations: Tuple[Explanation, ...] = ()
 
 
 def bag_file(path: Path, messages: int) -> BagFile:
@@ -71,6 +73,7 @@ def write_report(folder: OutputFolder, observation: Observation, record: Mission
         tasks=scene.every_task(),
         communication=source.communication,
         clocks=source.clocks,
+        explanations=source.explanations,
         figures=_figures(mission, record, source.communication),
     )
     folder.write_text(REPORT, report_html(given))

@@ -6,7 +6,7 @@ import platform
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Dict, NamedTuple, Optional, Sequence
+from typing import Any, Dict, NamedTuple, Optional, Sequence, Tuple
 
 from rqt_mrta_py import __version__
 from rqt_mrta_py.app.interrupt import Interrupt
@@ -14,7 +14,7 @@ from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs.folder import OutputFolder
 from rqt_mrta_py.app.outputs.versions import installed_versions
 from rqt_mrta_py.hooks import Renderer
-from rqt_mrta_py.model import MissionRecord, Outcome, TaskState
+from rqt_mrta_py.model import Explanation, MissionRecord, Outcome, TaskState
 from rqt_mrta_py.render import write_picture
 from rqt_mrta_py.supervisor import event_lines, incident_lines, summary
 from rqt_mrta_py.wording import printable
@@ -33,6 +33,7 @@ class MissionResult:
         mission_time: what passed on the stream's clock [s].
         wall_time: what passed on the wall [s].
         interrupted: True if the user asked to end; the outputs are complete as far as it went.
+        explanations: of the tasks that the user asked about.
     """
 
     folder: Path
@@ -41,6 +42,7 @@ class MissionResult:
     mission_time: float
     wall_time: float
     interrupted: bool = False
+    explanations: Tuple[Explanation, ...] = ()
 
     def text(self) -> str:
         """Say in a few lines what happened and where the outputs are."""

@@ -6,4 +6,5 @@
 * ``taking``: their messages on the way; ``skimming``: how they are taken in; ``habits``: which say anything new
 * ``hosts``: what bags tell of clocks that were recorded on robots
 * ``moments``: when a picture is drawn; ``account``: what was read, and why so
+* ``why``: who could have had a task, who took it when, and on what grounds
 """

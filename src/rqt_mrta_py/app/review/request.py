@@ -21,6 +21,7 @@ class ReviewRequest:
         start: what was received earlier is left out, from the first message on [s]; None: nothing.
         end: what was received later is left out, likewise [s]; None: nothing.
         topics: which to read.
+        why: ids or patterns of tasks that are to be explained.
         application: a registered name or path that says what the bag is about; None to ask the bag itself.
         architecture: a registered name or path; None for the application's own.
         out: folder for the outputs; None to choose one.
@@ -44,3 +45,4 @@ class ReviewRequest:
     start: Optional[float] = None
     end: Optional[float] = None
     topics: TopicChoice = field(default_factory=TopicChoice)
+    why: Tuple[str, ...] = ()

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from contextlib import ExitStack
+from dataclasses import replace
 from functools import partial
 from itertools import takewhile
-from typing import Callable, Tuple
+from typing import Callable, Iterable, Iterator, Tuple
 
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs.clocks import write_clocks
 from rqt_mrta_py.app.outputs.communication import write_communication
+from rqt_mrta_py.app.outputs.explanations import write_explanations
 from rqt_mrta_py.app.outputs.exports import exporters_for, write_exports
 from rqt_mrta_py.app.outputs.figures import figure_makers_for, figures_of, write_figures
 from rqt_mrta_py.app.outputs.folder import OutputFolder
@@ -28,8 +30,10 @@ from rqt_mrta_py.app.review.request import ReviewRequest
 from rqt_mrta_py.app.review.skimming import Skimming
 from rqt_mrta_py.app.review.subject import subject_of
 from rqt_mrta_py.app.review.taking import Taking
-from rqt_mrta_py.hooks import Listener
-from rqt_mrta_py.model import Mission
+from rqt_mrta_py.app.review.why import Why
+from rqt_mrta_py.hooks import Listener, Stamped
+from rqt_mrta_py.model import Explanation, Mission, MissionRecord
+from rqt_mrta_py.render.report import BagFile
 from rqt_mrta_py.supervisor import recorded_communication
 
 __all__ = ["ReviewRequest", "review_bag"]
@@ -55,7 +59,8 @@ def review_bag(
         The finished review; one that the user interrupted is complete as far as it went.
 
     Raises:
-        MrtaError: of whatever is wrong. What is wrong with the input is told before anything is written.
+        MrtaError: of whatever is wrong. What is wrong with the input is told before anything is written; that there is
+            no task of a name to be explained, once all else is.
     """
     stopwatch = Stopwatch()
     recordings = Recordings((request.bag, *request.more))
@@ -73,7 +78,8 @@ def review_bag(
     check_film(request.video, period)
     exporters = exporters_for(mission, request.exports, host.manager)
     makers = figure_makers_for(mission, request.figures, host.manager)
-    further: Tuple[Listener, ...] = (*exporters.values(), *makers.values())
+    why = Why(mission, request.why, host.manager)
+    further: Tuple[Listener, ...] = (*exporters.values(), *makers.values(), *why.listeners)
     patience = host.manager.patience
     with patience.at_work("the making of the review"):
         observation = Observation(mission, codec, host.manager, subject.duration or length, further)
@@ -95,20 +101,37 @@ def review_bag(
             write_exports(folder, exporters, results.record)
             figures = figures_of(makers, results.record)
         write_figures(folder, figures)
-        heard_ns = start_ns if taking.heard_ns is None else taking.heard_ns
-        heard = takewhile(lambda stamped: stamped.receipt_ns <= heard_ns, recordings.messages(excerpt))
+        heard = _heard(recordings.messages(excerpt), start_ns if taking.heard_ns is None else taking.heard_ns)
         stream = partial(with_news, heard, observation.news(), codec, recordings.topics)
         write_message_exports(folder, exporters, results.record, stream, patience)
         write_communication(folder, taking.spans, results.record, picture=pictures is not None)
         timings = hosts.table(taking.timings, [robot.id for robot in results.record.robots])
         write_clocks(folder, timings)
-        bags = tuple(bag_file(bag.path, bag.info.messages) for bag in recordings.bags)
-        source = ReportSource("review", bags, recorded_communication(taking.spans), timings)
+        explanations = _explained(why, results.record, folder)
+        source = ReportSource("review", _files(recordings), recorded_communication(taking.spans), timings, explanations)
         write_report(folder, observation, results.record, source)
         folder.write_json("review.json", review_account(recordings, subject, request, taking.spans.messages))
-        for line in recordings.losses():
+        for line in (*recordings.losses(), *why.failures):
             tell(line)
-        return stopwatch.result(folder, results, interrupt)
+        why.check(results.record, folder.path)
+        return replace(stopwatch.result(folder, results, interrupt), explanations=explanations)
+
+
+def _explained(why: Why, record: MissionRecord, folder: OutputFolder) -> Tuple[Explanation, ...]:
+    """Explain the tasks that the user asks about, if any, and write that down."""
+    explanations = why.explain(record)
+    if why.is_asked:
+        write_explanations(folder, explanations)
+    return explanations
+
+
+def _heard(messages: Iterable[Stamped], until_ns: int) -> Iterator[Stamped]:
+    """Give the messages up to the last one that was taken in."""
+    return takewhile(lambda stamped: stamped.receipt_ns <= until_ns, messages)
+
+
+def _files(recordings: Recordings) -> Tuple[BagFile, ...]:
+    return tuple(bag_file(bag.path, bag.info.messages) for bag in recordings.bags)
 
 
 def _period(mission: Mission, request: ReviewRequest) -> float:

@@ -90,9 +90,22 @@ _TOPIC = ElementForm(
     ),
 )
 
+_BIDS = ElementForm(
+    "topic",
+    "A topic, as elsewhere, with what is bid.",
+    numbered=True,
+    blank=True,
+    children=(
+        *_TOPIC.children,
+        ElementForm(
+            "bid_field", "Field with the number that is bid.", Content.FIELD, "review", required=True, ours=True
+        ),
+    ),
+)
 
-def _topics(name: str, summary: str, ours: bool = False) -> ElementForm:
-    return ElementForm(name, summary, ours=ours, group="topics")
+
+def _topics(name: str, summary: str, ours: bool = False, group: str = "topics") -> ElementForm:
+    return ElementForm(name, summary, ours=ours, group=group)
 
 
 def _type(summary: str, spellings: Tuple[str, ...]) -> ElementForm:
@@ -136,6 +149,7 @@ _ALLOCATIONS = ElementForm(
     children=(
         _type("Whether tasks are assigned for now only (IA) or planned ahead (TA).", AllocationType.spellings()),
         _topics("allocated_tasks", "Topics that say that a task is being carried out."),
+        _topics("bids", "Topics that say what a robot bids for a task; `mrta review --why` tells it.", True, "bids"),
     ),
 )
 
@@ -184,6 +198,6 @@ ARCHITECTURE_FILE = XmlForm(
         ),
     ),
     "architecture",
-    {"topics": (_TOPIC,), **GROUPS},
+    {"topics": (_TOPIC,), "bids": (_BIDS,), **GROUPS},
 )
 """Every element of such a file."""

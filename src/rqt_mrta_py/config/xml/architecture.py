@@ -9,7 +9,7 @@ from rqt_mrta_py.config.xml.element import Element, Text
 from rqt_mrta_py.config.xml.flavour import read_flavour
 from rqt_mrta_py.config.xml.launches import read_launches
 from rqt_mrta_py.config.xml.templates import read_configs
-from rqt_mrta_py.config.xml.topics import read_topics
+from rqt_mrta_py.config.xml.topics import BIDS, read_topics
 from rqt_mrta_py.errors import ConfigError, Problem
 from rqt_mrta_py.model import AllocationType, ArchitectureSpec, RobotType, TaskType, Taxonomy, normalise_id
 from rqt_mrta_py.wording import accepted
@@ -79,6 +79,7 @@ def _read(root: Element, package: str) -> Optional[ArchitectureSpec]:
         completed_tasks=read_topics(tasks, "completed_tasks"),
         failed_tasks=read_topics(tasks, "failed_tasks"),
         allocated_tasks=read_topics(allocations, "allocated_tasks"),
+        bids=read_topics(allocations, BIDS),
         robot_config_id=configs[0].id if config_id is None and len(configs) == 1 else _id(config_id),
         robot_launch_id=_id(launch_id),
         configs=configs,

@@ -9,10 +9,13 @@ from rqt_mrta_py.config.xml.element import Element
 from rqt_mrta_py.model import ROBOT_TOKEN, TASK_TOKEN, MonitoredTopic, TopicCondition, TopicJoin, is_legal_name
 from rqt_mrta_py.wording import shown
 
-__all__ = ["read_topics"]
+__all__ = ["BIDS", "read_topics"]
+
+BIDS = "bids"
+"""The element whose topics have a field with a bid."""
 
 _TOKENS = (ROBOT_TOKEN, TASK_TOKEN)
-_TELLING = ("name", "type", "field", "robot_field", "task_field", "join", "when")
+_TELLING = ("name", "type", "field", "robot_field", "task_field", "join", "when", "bid_field")
 _TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*\Z", re.ASCII)
 _FIELD = re.compile(r"[A-Za-z]\w*(/[A-Za-z]\w*)*\Z", re.ASCII)
 
@@ -32,10 +35,11 @@ def read_topics(parent: Optional[Element], name: str) -> Tuple[MonitoredTopic, .
         return ()
     elements: List[Element] = [*holder.repeated("topic"), *(entry.element for entry in holder.numbered(["topic"]))]
     holder.finish()
-    return tuple(topic for topic in map(_read_topic, elements) if topic is not None)
+    of_bids = name == BIDS
+    return tuple(topic for topic in (_read_topic(each, of_bids) for each in elements) if topic is not None)
 
 
-def _read_topic(element: Element) -> Optional[MonitoredTopic]:
+def _read_topic(element: Element, of_bids: bool) -> Optional[MonitoredTopic]:
     if not any(element.has(name) for name in _TELLING):
         # The original writes a topic that was never filled in with its numbers only.
         element.skip()
@@ -51,6 +55,7 @@ def _read_topic(element: Element) -> Optional[MonitoredTopic]:
         horizon=element.seconds("horizon", 5.0),
         join=_read_join(element),
         condition=_read_condition(element),
+        bid_field=element.required("bid_field") if of_bids else "",
     )
     element.finish()
     _check(topic, element)
@@ -83,6 +88,7 @@ def _check(topic: MonitoredTopic, element: Element) -> None:
     _check_name(topic.name, element)
     _check_type(topic.type, element)
     _check_fields(element, field=topic.field, robot_field=topic.robot_field, task_field=topic.task_field)
+    _check_fields(element, bid_field=topic.bid_field)
     if not (topic.field or any(token in topic.name for token in _TOKENS)):
         element.problem("field", f"is missing; give the field with the id, or {' or '.join(_TOKENS)} in the name")
 

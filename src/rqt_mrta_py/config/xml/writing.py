@@ -16,6 +16,7 @@ from rqt_mrta_py.config.xml.application import read_application
 from rqt_mrta_py.config.xml.architecture import read_architecture
 from rqt_mrta_py.config.xml.flavour import ROOT
 from rqt_mrta_py.config.xml.ids import written_id
+from rqt_mrta_py.config.xml.topics import BIDS
 from rqt_mrta_py.config.xml.tree import Branch, document_text
 from rqt_mrta_py.config.xml.writing_parts import write_configs, write_launches, write_topics, write_widgets
 from rqt_mrta_py.errors import ConfigError, Problem
@@ -59,6 +60,7 @@ def write_architecture(spec: ArchitectureSpec) -> str:
         write_topics(tasks, "failed_tasks", spec.failed_tasks)
         allocations.leaf("type", spec.taxonomy.allocations.value)
         write_topics(allocations, "allocated_tasks", spec.allocated_tasks)
+        write_topics(allocations, BIDS, spec.bids)
         write_configs(root, spec.configs)
         write_launches(root, spec.launches)
         write_widgets(root, spec.widgets)

@@ -50,7 +50,7 @@ def write_widgets(root: Branch, widgets: Sequence[str]) -> None:
 
 
 def _write_topic(branch: Branch, topic: MonitoredTopic) -> None:
-    for name in ("name", "type", "field", "robot_field", "task_field"):
+    for name in ("name", "type", "field", "robot_field", "task_field", "bid_field"):
         branch.leaf(name, getattr(topic, name))
     branch.leaf("queue_size", str(topic.queue_size))
     branch.leaf("timeout", repr(float(topic.timeout)))

@@ -2,8 +2,8 @@
 
 * ``report_input``: what a report is made from; ``fine_curves`` asks panels for more points than a picture needs
 * ``page``: the page as a whole; ``html`` escapes whatever stands in it; ``assets`` are its script and style
-* ``summary``, ``incidents``, ``explorer``, ``tables``, ``statistics``, ``network``, ``clocks``, ``provenance``: its
-  sections
+* ``summary``, ``incidents``, ``explorer``, ``tables``, ``explanations``, ``statistics``, ``network``, ``clocks``,
+  ``provenance``: its sections
 * ``payload``: what the script draws; ``packing`` makes it small, ``thinning`` leaves out what nobody can see
 """
 

@@ -18,6 +18,7 @@ from rqt_mrta_py.render.palette import (
     readable_on,
 )
 from rqt_mrta_py.render.report.clocks import clocks_section
+from rqt_mrta_py.render.report.explanations import explanations_section
 from rqt_mrta_py.render.report.explorer import explorer_section
 from rqt_mrta_py.render.report.html import Html, element, joined, json_block
 from rqt_mrta_py.render.report.incidents import incidents_section
@@ -63,6 +64,7 @@ def report_html(given: ReportInput) -> str:
         ("robots", "Robots", robots_section(given, figures.of_robots)),
         ("tasks", "Tasks", tasks_section(given, figures.of_tasks)),
         ("allocations", "Allocations", allocations_section(given)),
+        ("why", "Why", explanations_section(given)),
         ("statistics", "Statistics", statistics_section(figures)),
         ("communication", "Communication", network_section(given)),
         ("clocks", "Clocks", clocks_section(given)),

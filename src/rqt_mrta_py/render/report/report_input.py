@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any, Mapping, NamedTuple, Optional, Tuple
 
 from rqt_mrta_py.hooks import MonitorView
-from rqt_mrta_py.model import CommunicationGraph, Task
+from rqt_mrta_py.model import CommunicationGraph, Explanation, Task
 from rqt_mrta_py.model.timing import TimingTable
 from rqt_mrta_py.render.body_keeper import BodyTrack
 from rqt_mrta_py.render.pose_log import RobotTrack
@@ -52,6 +52,7 @@ class ReportInput:
         communication: nodes and topics; None if unknown.
         clocks: what messages tell of time; None where nobody measured.
         figures: of the whole mission that the record does not tell, among its statistics.
+        explanations: of the tasks that somebody asked about.
     """
 
     view: MonitorView
@@ -62,3 +63,4 @@ class ReportInput:
     communication: Optional[CommunicationGraph] = None
     clocks: Optional[TimingTable] = None
     figures: Mapping[str, Any] = field(default_factory=dict)
+    explanations: Tuple[Explanation, ...] = ()

@@ -9,7 +9,8 @@
 * ``timing``: when the robot resets, inhibits and announces; ``original``: the same as the original nodes do it
 * ``fairness``: an extension, by which perpetual tasks share the time
 * ``messages``: what is said; ``agent``: the robot's decisions; ``newcomers``: parameters of tasks that appear
-* ``interpreter``: tells from the messages what became of an allocation; ``pace``: how fast that goes when all is well
+* ``interpreter``: tells from the messages what became of an allocation, ``grounds``: why robots take tasks; ``pace``:
+  how fast that goes when all is well
 * ``panel``: motivation against threshold, for pictures; ``detailed_panel``: all that it is made of
 * ``inner_life``: what goes on in behaviour sets, as it is heard; ``traces``: how it is kept
 * ``figures``: charts of it, drawn at the end; ``file_names``: made of ids

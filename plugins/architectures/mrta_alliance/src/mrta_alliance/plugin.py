@@ -8,6 +8,7 @@ from typing import Any, Mapping, Sequence
 from mrta_alliance.agent import AllianceAgent
 from mrta_alliance.detailed_panel import DetailedPanel
 from mrta_alliance.figures import AllianceFigures
+from mrta_alliance.grounds import AllianceGrounds
 from mrta_alliance.interpreter import AllianceInterpreter
 from mrta_alliance.pace import alliance_pace
 from mrta_alliance.panel import MotivationPanel
@@ -22,6 +23,7 @@ from rqt_mrta_py.hooks import (
     BenchmarkReport,
     ExporterFactory,
     FigureMakerFactory,
+    GroundsReaderFactory,
     Laboratory,
     MonitorPanelFactory,
     ParameterProblem,
@@ -38,6 +40,7 @@ __all__ = [
     "mrta_register_benchmarks",
     "mrta_register_exporters",
     "mrta_register_figures",
+    "mrta_register_grounds_readers",
     "mrta_register_monitor_panels",
     "mrta_register_robot_sensors",
 ]
@@ -61,6 +64,12 @@ def mrta_register_allocation_interpreters() -> Mapping[str, AllocationInterprete
 def mrta_register_allocation_paces() -> Mapping[str, AllocationPaceFactory]:
     """Name what tau, psi and expected durations mean for rules."""
     return {_ARCHITECTURE: alliance_pace}
+
+
+@hookimpl
+def mrta_register_grounds_readers() -> Mapping[str, GroundsReaderFactory]:
+    """Name who tells what moved motivations."""
+    return {_ARCHITECTURE: AllianceGrounds}
 
 
 @hookimpl

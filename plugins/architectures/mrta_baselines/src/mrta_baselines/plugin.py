@@ -7,12 +7,14 @@ from typing import Any, Mapping, Sequence
 from nearest_robot.interpreter import NearestRobotInterpreter
 
 from mrta_baselines.agent import BaselineAgent
+from mrta_baselines.grounds import BaselineGrounds
 from mrta_baselines.pace import baseline_pace
 from mrta_baselines.parameters import find_problems
 from rqt_mrta_py.hooks import (
     AgentFactory,
     AllocationInterpreterFactory,
     AllocationPaceFactory,
+    GroundsReaderFactory,
     ParameterProblem,
     hookimpl,
 )
@@ -22,6 +24,7 @@ __all__ = [
     "mrta_register_agents",
     "mrta_register_allocation_interpreters",
     "mrta_register_allocation_paces",
+    "mrta_register_grounds_readers",
 ]
 
 _ARCHITECTURE = "mrta_baselines"
@@ -43,6 +46,12 @@ def mrta_register_allocation_interpreters() -> Mapping[str, AllocationInterprete
 def mrta_register_allocation_paces() -> Mapping[str, AllocationPaceFactory]:
     """Name what rates and timeouts mean for rules."""
     return {_ARCHITECTURE: baseline_pace}
+
+
+@hookimpl
+def mrta_register_grounds_readers() -> Mapping[str, GroundsReaderFactory]:
+    """Name who tells by which rule tasks were taken."""
+    return {_ARCHITECTURE: BaselineGrounds}
 
 
 @hookimpl

@@ -11,7 +11,8 @@
 * ``next_task``: what it would do next (Algorithm 2); ``joint_plan``: the same where the team keeps to one plan
 * ``reachability``: what cannot be reached, and when it can again
 * ``agent``: the robot's cycle
-* ``interpreter``: tells from messages what became of an allocation; ``pace``: how fast that goes when all is well
+* ``interpreter``: tells from messages what became of an allocation, ``grounds``: why robots take tasks; ``pace``: how
+  fast that goes when all is well
 * ``panel``: costs, for pictures
 * ``plugin``: the hooks
 * ``experiments``: teams without a world

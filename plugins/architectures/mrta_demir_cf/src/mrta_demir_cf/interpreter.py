@@ -9,9 +9,9 @@ from mrta_demir_cf.messages import Message, read_message
 from rqt_mrta_py.hooks import AllocationSign, Applicability, Heard, InterpreterSetup, Subscription
 from rqt_mrta_py.model import Outcome
 
-__all__ = ["DemirCfInterpreter"]
+__all__ = ["REASONS", "DemirCfInterpreter"]
 
-_OUTCOMES: Mapping[CancelReason, Tuple[Outcome, str]] = {
+REASONS: Mapping[CancelReason, Tuple[Outcome, str]] = {
     CancelReason.DEARER_REQUEST: (Outcome.YIELDED, "another requested a task at less (path)"),
     CancelReason.DEARER_NEIGHBOUR: (Outcome.YIELDED, "another requested a task near by at less (time)"),
     CancelReason.CHANGED_SCHEDULE: (Outcome.GAVE_UP, "no longer possible"),
@@ -22,6 +22,7 @@ _OUTCOMES: Mapping[CancelReason, Tuple[Outcome, str]] = {
     CancelReason.FAILURE: (Outcome.FAILED, "it was away"),
     CancelReason.OPERATOR: (Outcome.PREEMPTED, "recalled by an operator"),
 }
+"""What the reason of a cancellation makes of an allocation, and how it is said."""
 
 
 class DemirCfInterpreter:
@@ -75,7 +76,7 @@ class DemirCfInterpreter:
             if message.kind is Kind.AWARD:
                 return Outcome.PREEMPTED, f"awarded to {message.winner}"
             if message.kind is Kind.CANCELLATION:
-                known = _OUTCOMES.get(message.reason) if message.reason is not None else None
+                known = REASONS.get(message.reason) if message.reason is not None else None
                 return known or (Outcome.GAVE_UP, "without a reason")
             if message.kind is not Kind.REQUEST:
                 return None

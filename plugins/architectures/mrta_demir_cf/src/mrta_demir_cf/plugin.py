@@ -6,6 +6,7 @@ from typing import Any, Mapping, Sequence
 
 from mrta_demir_cf.agent import DemirCfAgent
 from mrta_demir_cf.experiments.benchmark import add_arguments, measure
+from mrta_demir_cf.grounds import DemirCfGrounds
 from mrta_demir_cf.interpreter import DemirCfInterpreter
 from mrta_demir_cf.pace import demir_cf_pace
 from mrta_demir_cf.panel import CostPanel
@@ -15,6 +16,7 @@ from rqt_mrta_py.hooks import (
     AllocationInterpreterFactory,
     AllocationPaceFactory,
     Benchmark,
+    GroundsReaderFactory,
     MonitorPanelFactory,
     ParameterProblem,
     hookimpl,
@@ -26,6 +28,7 @@ __all__ = [
     "mrta_register_allocation_interpreters",
     "mrta_register_allocation_paces",
     "mrta_register_benchmarks",
+    "mrta_register_grounds_readers",
     "mrta_register_monitor_panels",
 ]
 
@@ -55,6 +58,12 @@ def mrta_register_benchmarks() -> Mapping[str, Benchmark]:
     """Name the experiments."""
     about = "DEMiR-CF: team sizes, messages and robots lost, targets that turn up on the way"
     return {"demir_cf": Benchmark(about, add_arguments, measure)}
+
+
+@hookimpl
+def mrta_register_grounds_readers() -> Mapping[str, GroundsReaderFactory]:
+    """Name who tells how auctions went."""
+    return {_ARCHITECTURE: DemirCfGrounds}
 
 
 @hookimpl

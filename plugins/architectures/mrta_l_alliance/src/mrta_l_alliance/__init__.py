@@ -6,7 +6,7 @@
 * ``monitor``: watches who is on which task, and how it ends
 * ``tuning``: from what is known to ALLIANCE's parameters
 * ``messages``: what is said beyond ALLIANCE; ``agent``: the robot's cycle, around ALLIANCE's
-* ``pace``: how fast tasks are shared out when all is well
+* ``pace``: how fast tasks are shared out when all is well; ``grounds``: why robots take them
 * ``exporter``: writes memories down; ``lessons``: trains teams mission after mission
 * ``plugin``: the hooks
 """

@@ -9,6 +9,7 @@ from mrta_alliance.reading import find_problems
 
 from mrta_l_alliance.agent import LAllianceAgent
 from mrta_l_alliance.exporter import MemoryExporter
+from mrta_l_alliance.grounds import LAllianceGrounds
 from mrta_l_alliance.pace import l_alliance_pace
 from mrta_l_alliance.parameters import find_learning_problems
 from rqt_mrta_py.hooks import (
@@ -16,6 +17,7 @@ from rqt_mrta_py.hooks import (
     AllocationInterpreterFactory,
     AllocationPaceFactory,
     ExporterFactory,
+    GroundsReaderFactory,
     ParameterProblem,
     hookimpl,
 )
@@ -27,6 +29,7 @@ __all__ = [
     "mrta_register_allocation_interpreters",
     "mrta_register_allocation_paces",
     "mrta_register_exporters",
+    "mrta_register_grounds_readers",
 ]
 
 _ARCHITECTURE = "mrta_l_alliance"
@@ -54,6 +57,12 @@ def mrta_register_allocation_paces() -> Mapping[str, AllocationPaceFactory]:
 def mrta_register_exporters() -> Mapping[str, ExporterFactory]:
     """Name who writes down what was learned."""
     return {"l_alliance_memory": MemoryExporter}
+
+
+@hookimpl
+def mrta_register_grounds_readers() -> Mapping[str, GroundsReaderFactory]:
+    """Name who tells what moved motivations, and what was learned before."""
+    return {_ARCHITECTURE: LAllianceGrounds}
 
 
 @hookimpl

@@ -5,7 +5,8 @@
 * ``bids``: what robots tell one another; ``listening``: the newest bid of each
 * ``known_tasks``: what is reported of the robot's tasks
 * ``allotment``: from bids to who carries out what; ``agent``: the robot's cycle
-* ``interpreter``: tells from bids what became of an allocation; ``pace``: how fast that goes when all is well
+* ``interpreter``: tells from bids what became of an allocation, ``grounds``: why robots take tasks; ``pace``: how fast
+  that goes when all is well
 * ``panel``: costs, for pictures
 * ``plugin``: the hooks
 """

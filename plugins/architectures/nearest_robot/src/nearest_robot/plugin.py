@@ -6,6 +6,7 @@ from typing import Any, Mapping, Sequence
 
 from nearest_robot.agent import NearestRobotAgent
 from nearest_robot.benchmark import ALLOCATORS, allocators_benchmark
+from nearest_robot.grounds import NearestRobotGrounds
 from nearest_robot.interpreter import NearestRobotInterpreter
 from nearest_robot.pace import nearest_robot_pace
 from nearest_robot.panel import CostPanel
@@ -16,6 +17,7 @@ from rqt_mrta_py.hooks import (
     AllocationPaceFactory,
     Allocator,
     Benchmark,
+    GroundsReaderFactory,
     MonitorPanelFactory,
     ParameterProblem,
     hookimpl,
@@ -28,6 +30,7 @@ __all__ = [
     "mrta_register_allocation_paces",
     "mrta_register_allocators",
     "mrta_register_benchmarks",
+    "mrta_register_grounds_readers",
     "mrta_register_monitor_panels",
 ]
 
@@ -56,6 +59,12 @@ def mrta_register_allocation_paces() -> Mapping[str, AllocationPaceFactory]:
 def mrta_register_allocators() -> Mapping[str, Allocator]:
     """Name the greedy and the optimal allocator."""
     return ALLOCATORS
+
+
+@hookimpl
+def mrta_register_grounds_readers() -> Mapping[str, GroundsReaderFactory]:
+    """Name who tells what tasks cost whom."""
+    return {_ARCHITECTURE: NearestRobotGrounds}
 
 
 @hookimpl

@@ -112,6 +112,11 @@ def mrta_register_figures() -> Mapping[str, Any]:
 
 
 @hookimpl
+def mrta_register_grounds_readers() -> Mapping[str, Any]:
+    return {"stranger": watching.Reasons}
+
+
+@hookimpl
 def mrta_register_message_observers() -> Mapping[str, Any]:
     return {"ear": watching.Ear}
 

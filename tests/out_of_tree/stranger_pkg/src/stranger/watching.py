@@ -19,6 +19,7 @@ from rqt_mrta_py.hooks import (
     Fact,
     Figure,
     FigureSetup,
+    GroundsSetup,
     Heard,
     IncidentBoard,
     InterpreterSetup,
@@ -31,7 +32,7 @@ from rqt_mrta_py.hooks import (
     RuleSetup,
     Subscription,
 )
-from rqt_mrta_py.model import MissionRecord, Outcome, Severity
+from rqt_mrta_py.model import Ground, MissionRecord, Outcome, Severity
 
 LOG = logging.getLogger("stranger")
 
@@ -144,6 +145,23 @@ class Mileage:
 
     def value(self, record: MissionRecord) -> Dict[str, float]:
         return {**self._dug, "each": sum(self._dug.values()) / len(record.allocations)}
+
+
+class Reasons:
+    """Each first claim, with what it was at."""
+
+    def __init__(self, setup: GroundsSetup) -> None:
+        self._place = setup.mission.application.name
+        self._told: Dict[str, str] = {}
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        return [CLAIMS]
+
+    def hear(self, heard: Heard) -> Sequence[Ground]:
+        if self._told.get(heard.robot) == heard.task:
+            return ()
+        self._told[heard.robot] = heard.task
+        return [Ground(heard.receipt, heard.task, f"dug for {heard.fields['data']} in the {self._place}", heard.robot)]
 
 
 class Ear:
