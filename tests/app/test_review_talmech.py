@@ -68,6 +68,23 @@ def test_review_dates_allocations_by_the_close_and_the_result(summary: Dict[str,
     assert first["to"] - start == pytest.approx(4.542, abs=0.001)
 
 
+def test_why_tells_bids_of_auctions_by_their_tasks(
+    mrta: Mrta, shared_data: Callable[[str], Path], tmp_path: Path
+) -> None:
+    """Of the first auction: announced before 0.1 s, closed at 0.668 s for the higher of two bids, another tool says."""
+    bag, folder = str(shared_data("talmech_two_bidders.bag")), tmp_path / "why"
+    options = ("--architecture", "talmech_auction", "--pictures", "0", "--out", str(folder))
+    assert mrta("review", bag, *options, "--why", "task1", "--why", "task3")[0] == 0
+
+    taken, never = json.loads((folder / "why.json").read_text(encoding="utf-8"))["tasks"]
+    bids = {each["robot"]: each["values"]["bid"] for each in taken["grounds"]}
+    assert set(bids) == {"bidder1", "bidder2"}
+    assert bids["bidder1"] > bids["bidder2"]
+    assert [each["robot"] for each in taken["spells"]] == [None, "bidder1"]
+    assert (never["grounds"], [each["robot"] for each in never["spells"]]) == ([], [None])
+    assert never["note"] == "nobody was heard to bid, and no plugin reads the grounds of talmech_auction"
+
+
 def test_the_same_file_without_its_joins_cannot_tell_who_took_what(
     mrta: Mrta, shared_data: Callable[[str], Path], root: Path, tmp_path: Path
 ) -> None:

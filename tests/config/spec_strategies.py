@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, Callable, Dict, Tuple, TypeVar
 
 from hypothesis import strategies as st
@@ -98,6 +99,7 @@ topics = st.one_of(
     ),
 )
 topic_lists = st.lists(topics, max_size=3).map(tuple)
+bid_lists = st.lists(st.builds(lambda topic, bid: replace(topic, bid_field=bid), topics, fields), max_size=3).map(tuple)
 
 _values = {
     ParameterType.BOOL: st.sampled_from(["true", "False", "TRUE", "@robot_id@"]),
@@ -156,6 +158,7 @@ def architectures(draw: st.DrawFn) -> ArchitectureSpec:
         allocated_tasks=draw(topic_lists),
         completed_tasks=draw(topic_lists),
         failed_tasks=draw(topic_lists),
+        bids=draw(bid_lists),
         # A file's only config is every robot's, said or not.
         robot_config_id=held[0].id if len(held) == 1 else chosen,
         robot_launch_id=draw(st.sampled_from([None, *(launch.id for launch in files)])),

@@ -194,6 +194,31 @@ def test_architecture_says_what_is_wrong_with_a_join_or_a_condition(inner: str, 
         read_architecture(with_topic("allocated_tasks", "allocations", topic), "a.xml", "a")
 
 
+def test_architecture_reads_bids() -> None:
+    topic = "<name>/bids</name><type>p/Bid</type><field>task</field><robot_field>who</robot_field>"
+    text = with_topic("bids", "allocations", f"{topic}<bid_field>amount</bid_field>")
+
+    spec = read_architecture(text, "a.xml", "a")
+
+    assert spec.bids == (MonitoredTopic("/bids", "p/Bid", "task", robot_field="who", bid_field="amount"),)
+    assert spec.monitored_topics == ()
+
+
+@pytest.mark.parametrize(
+    ("kind", "inner", "problem"),
+    [
+        ("bids", "", "bids/topic/bid_field: is missing or empty"),
+        ("bids", "<bid_field>a b</bid_field>", "bids/topic/bid_field: must be a path of fields"),
+        ("allocated_tasks", "<bid_field>amount</bid_field>", "allocated_tasks/topic/bid_field: is not expected here"),
+    ],
+)
+def test_architecture_says_what_is_wrong_with_bids(kind: str, inner: str, problem: str) -> None:
+    topic = f"<name>/bids</name><type>p/Bid</type><field>task</field>{inner}"
+
+    with pytest.raises(ConfigError, match=re.escape(problem)):
+        read_architecture(with_topic(kind, "allocations", topic), "a.xml", "a")
+
+
 def test_architecture_takes_several_topics_of_one_kind() -> None:
     topic = "<name>/{}</name><type>p/M</type><field>id</field>"
     text = MINIMAL.format(

@@ -13,13 +13,14 @@ __all__ = [
     "candidate_groups",
     "ends_of",
     "named",
-    "others_in_words",
+    "others_in_lines",
     "spell_in_words",
     "task_in_words",
 ]
 
 _LONGEST_ID = 60
 _MOST_ROBOTS = 20
+_MOST_STRETCHES = 9
 _ANSWERS = {True: "yes", False: "no", None: "unknown"}
 
 _Item = TypeVar("_Item")
@@ -74,24 +75,26 @@ def spell_in_words(spell: Spell) -> str:
     return f"{ended}: {spell.text}" if spell.text else ended
 
 
-def others_in_words(spell: Spell, start: float) -> str:
-    """Say what the robots were doing that could have had the task; empty if there is nothing to say.
+def others_in_lines(spell: Spell, start: float) -> List[str]:
+    """Say what the robots were doing that could have had the task: when it was taken, or all the while.
 
     Args:
         spell: a hold or a time between holds.
         start: of the mission [s].
+
+    Returns:
+        A line for all, or one for each robot; none if there is nothing to say.
     """
     if not spell.others:
-        return ""
-    more = f"; {spell.more} more in why.json" if spell.more else ""
+        return []
+    more = [f"{spell.more} more in summary.json"] if spell.more else []
     if spell.outcome is not None:
-        told = ", ".join(f"{named([each.robot])} {_doing(each)}" for each in spell.others)
-        return f"when it was taken: {told}{more}"
+        told = [f"{named([each.robot])} {_doing(each)}" for each in spell.others]
+        return [f"when it was taken: {', '.join([*told, *more])}"]
     by_robot: Dict[str, List[Whereabouts]] = {}
     for each in spell.others:
         by_robot.setdefault(each.robot, []).append(each)
-    told = "; ".join(f"{named([robot])} {_course(course, start)}" for robot, course in by_robot.items())
-    return f"meanwhile: {told}{more}"
+    return [*(f"{named([robot])}: {_course(course, start)}" for robot, course in by_robot.items()), *more]
 
 
 def ends_of(items: Sequence[_Item], most: int) -> Tuple[Sequence[_Item], int, Sequence[_Item]]:
@@ -108,8 +111,12 @@ def ends_of(items: Sequence[_Item], most: int) -> Tuple[Sequence[_Item], int, Se
 
 
 def _course(course: Sequence[Whereabouts], start: float) -> str:
-    told = [f"{_doing(each)} until {seconds(each.end - start)}" for each in course[:-1]]
-    return ", then ".join([*told, _doing(course[-1])])
+    first, left_out, last = ends_of(course, _MOST_STRETCHES)
+    told = [f"{_doing(each)} until {seconds(each.end - start)}" for each in first]
+    told += [f"{left_out} other things"] if left_out else []
+    told += [f"{_doing(each)} until {seconds(each.end - start)}" for each in last]
+    # What it did at last it did until the end, which the spell tells.
+    return ", then ".join([*told[:-1], _doing(course[-1])])
 
 
 def _doing(each: Whereabouts) -> str:

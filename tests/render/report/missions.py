@@ -9,9 +9,12 @@ from typing import Dict, Tuple
 from rqt_mrta_py.hooks import CurvePanel, MonitorView, SceneView
 from rqt_mrta_py.model import (
     Allocation,
+    Candidate,
     CommunicationGraph,
     Evidence,
+    Explanation,
     Flow,
+    Ground,
     Incident,
     MissionRecord,
     Outcome,
@@ -20,11 +23,13 @@ from rqt_mrta_py.model import (
     RobotRecord,
     RobotState,
     Severity,
+    Spell,
     Task,
     TaskInterval,
     TaskRecord,
     TaskState,
     Taxonomy,
+    Whereabouts,
 )
 from rqt_mrta_py.model.timing import ConnectionTiming, Gap, RobotClock, SenderClock, TimingTable
 from rqt_mrta_py.render.pose_log import RobotTrack
@@ -92,6 +97,7 @@ def usual_mission() -> ReportInput:
         communication=CommunicationGraph(flows),
         clocks=TimingTable((_timing("/robot1/pose", "/robot1/localiser", "robot1"),), (_clock("robot1"),)),
         figures={"messages_per_allocation": 32.1},
+        explanations=(_explanation(),),
     )
 
 
@@ -128,6 +134,19 @@ def hostile_mission() -> ReportInput:
         communication=CommunicationGraph(tuple(Flow(name, name, name, 1, 1.0) for name in sorted(names))),
         clocks=TimingTable(tuple(_timing(name, name, name) for name in names), tuple(_clock(name) for name in names)),
         figures={"messages_per_allocation": 1.0},
+        explanations=tuple(
+            Explanation(
+                name,
+                Task(name, name, capabilities=(name,), predecessors=(name,)),
+                TaskState.DONE,
+                (Candidate(name, True, name),),
+                (Spell(1.0, 9.0, name, Outcome.DONE, (), name, (Whereabouts(name, None, (name,), 1.0, 2.0),)),),
+                (Ground(1.0, name, name, name),),
+                0,
+                name,
+            )
+            for name in names
+        ),
     )
 
 
@@ -135,6 +154,38 @@ def empty_mission() -> ReportInput:
     """Nothing was heard at all."""
     record = MissionRecord(None, None, Taxonomy(), None, None, None, (), (), (), (), ())
     return ReportInput(MonitorView("", "", 0.0, record, SceneView(None, (), (), ())), Provenance("review"))
+
+
+def _explanation() -> Explanation:
+    """robot3 had border_protection from 5 to 60 s while robot1 was idle; then nobody, robot1 from 65.4 s on."""
+    idle, busy = RobotState.IDLE, RobotState.BUSY
+    there = Whereabouts("robot1", idle, (), START, START + 65.4)
+    return Explanation(
+        "border_protection",
+        Task("border_protection", "follow_border", capabilities=("range_finder",)),
+        TaskState.EXECUTING,
+        (
+            Candidate("robot1", True, "has range_finder"),
+            Candidate("robot2", False, "lacks range_finder"),
+            Candidate("robot3", True, "has range_finder"),
+        ),
+        (
+            Spell(START + 5.0, START + 60.0, "robot3", Outcome.LOST, (TaskState.EXECUTING,), "", (there,)),
+            Spell(START + 60.0, START + 65.4, states=(TaskState.WAITING,), others=(there,)),
+            Spell(
+                START + 65.4,
+                START + 90.0,
+                "robot1",
+                Outcome.OPEN,
+                (TaskState.EXECUTING,),
+                others=(Whereabouts("robot3", busy, ("report",), START + 62.0, START + 80.0),),
+            ),
+        ),
+        (
+            Ground(START + 4.8, "border_protection", "motivation reached the threshold 30", "robot3"),
+            Ground(START + 65.2, "border_protection", "motivation reached the threshold 30", "robot1"),
+        ),
+    )
 
 
 def _clock(robot: str) -> RobotClock:

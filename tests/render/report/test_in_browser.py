@@ -214,6 +214,14 @@ def test_playing_goes_on_until_stopped(tab: Tab) -> None:
     assert tab.run("document.getElementById('play').getAttribute('aria-label')") == "Play (Space)"
 
 
+def test_a_ground_leads_to_its_moment(tab: Tab) -> None:
+    """The second ground of the task that is explained is of 65.2 s."""
+    tab.run("document.querySelectorAll('#why tbody .when')[4].click()")
+    tab.settle()
+    assert tab.run(_CLOCK) == "65.2 s"
+    assert tab.run("location.hash") == "#t=65.200"
+
+
 def test_parts_of_the_timeline_can_be_put_away(tab: Tab) -> None:
     box = "document.querySelectorAll('#parts input')[1]"
     tab.run(f"{box}.click()")

@@ -138,6 +138,32 @@ def test_nodes_and_topics_are_counted_in_words() -> None:
     assert "5 nodes, 2 topics; a bag" in report_html(usual_mission())
 
 
+def test_a_task_that_somebody_asked_about_is_explained() -> None:
+    text = report_html(usual_mission())
+    section = text[text.index('id="why"') : text.index('id="statistics"')]
+    assert '<th scope="row">no</th><td>robot2</td><td>lacks range_finder</td>' in section
+    assert "when it was taken: robot1 idle" in section
+    assert '<a href="#t=60.000" class="when">60.0 s</a>' in section
+    assert "motivation reached the threshold 30" in section
+    assert section.count("<details") == section.count('<details class="why" open>') == 1
+
+
+def test_tasks_that_nobody_asked_about_are_not_explained() -> None:
+    text = report_html(replace(usual_mission(), explanations=()))
+    assert 'id="why"' not in text
+    assert 'href="#why"' not in text
+
+
+def test_of_many_tasks_and_grounds_as_many_are_explained_as_a_page_has_room_for() -> None:
+    usual = usual_mission()
+    (task,) = usual.explanations
+    many = replace(task, grounds=task.grounds * 5000)
+    text = report_html(replace(usual, explanations=(many,) * 250))
+    assert text.count('<details class="why"') == 200
+    assert text.count("9990 more in why.json") == 200
+    assert "50 more are in why.json" in text
+
+
 def test_a_mission_of_nothing_says_so() -> None:
     text = report_html(empty_mission())
     assert "No robot is known." in text

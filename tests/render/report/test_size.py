@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from dataclasses import replace
 from typing import List
 
 import pytest
@@ -17,6 +18,8 @@ from rqt_mrta_py.model import (
     ArchitectureSpec,
     Arena,
     Event,
+    Explanation,
+    Ground,
     Incident,
     Mission,
     MissionRecord,
@@ -26,11 +29,13 @@ from rqt_mrta_py.model import (
     RobotRecord,
     RobotState,
     Severity,
+    Spell,
     Task,
     TaskInterval,
     TaskRecord,
     TaskState,
     Taxonomy,
+    Whereabouts,
 )
 from rqt_mrta_py.render.pose_log import PoseLog, RobotTrack
 from rqt_mrta_py.render.report import Provenance, ReportInput, fine_panel, report_html
@@ -125,6 +130,18 @@ def motivations(chance: random.Random) -> CurvePanel:
 
     panel: CurvePanel = fine_panel(view, 1.0, 1.0 + HOUR)
     return panel
+
+
+@pytest.mark.long
+def test_an_hour_explained_with_everything_that_a_page_has_room_for_takes_no_more() -> None:
+    given = hour()
+    record = given.view.record
+    others = tuple(Whereabouts(robot, RobotState.BUSY, (TASKS[0],), 1.0, 31.0) for robot in ROBOTS)
+    spells = tuple(Spell(each.start, each.end, each.robot, each.outcome, (), "", others) for each in record.allocations)
+    text = "motivation reached the threshold 30 after 20.4 s: becomes active; reset to 0: robot9 has announced it"
+    grounds = tuple(Ground(1.0 + n, "patrol", text, ROBOTS[n % 10]) for n in range(2000))
+    explained = tuple(Explanation(task, None, TaskState.WAITING, (), spells, grounds) for task in TASKS)
+    assert len(report_html(replace(given, explanations=explained)).encode("utf-8")) < 5_000_000
 
 
 @pytest.mark.long

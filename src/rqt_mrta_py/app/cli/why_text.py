@@ -12,7 +12,7 @@ from rqt_mrta_py.render.explaining import (
     candidate_groups,
     ends_of,
     named,
-    others_in_words,
+    others_in_lines,
     spell_in_words,
     task_in_words,
 )
@@ -63,9 +63,8 @@ def _spell(spell: Spell, start: float) -> Iterator[str]:
     times = f"  {seconds(spell.start - start):>10} to {seconds(spell.end - start):>9}"
     who = named([spell.robot]) if spell.robot else "nobody"
     yield from _row(times, "  ", f"{who}: {spell_in_words(spell)}")
-    others = others_in_words(spell, start)
-    if others:
-        yield from _row(" " * len(times), "    ", others)
+    for line in others_in_lines(spell, start):
+        yield from _row(" " * len(times), "    ", line)
 
 
 def _grounds(explanation: Explanation, start: float) -> Iterator[str]:

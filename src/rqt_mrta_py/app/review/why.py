@@ -113,8 +113,10 @@ class Why:
             return f"not all grounds were read: {self.failures[0]}"
         if not self._told_by:
             architecture = self._mission.architecture
-            bids = ", and its file names no bids" if not architecture.bids else "; its bids are told as they were heard"
-            return f"no plugin tells on what grounds robots under {architecture.package} take tasks{bids}"
+            nobody = f"no plugin reads the grounds of {architecture.package}"
+            if not architecture.bids:
+                return nobody
+            return f"but for bids, {nobody}" if any_told else f"nobody was heard to bid, and {nobody}"
         return "" if any_told else "what was heard tells none"
 
     def _guarded(self, manager: PluginManager) -> List[GuardedGrounds]:

@@ -9,11 +9,11 @@ from rqt_mrta_py.render.explaining import (
     candidate_groups,
     ends_of,
     named,
-    others_in_words,
+    others_in_lines,
     spell_in_words,
     task_in_words,
 )
-from rqt_mrta_py.render.report.html import Content, Html, element
+from rqt_mrta_py.render.report.html import Content, Html, element, joined
 from rqt_mrta_py.render.report.report_input import ReportInput
 from rqt_mrta_py.render.report.tables import moment, section, table
 from rqt_mrta_py.render.signs import OUTCOME_SIGNS
@@ -79,7 +79,8 @@ def _spells(explanation: Explanation, start: float, most: int) -> Html:
     if not rows:
         return element("p", "It was never there.", class_="calm")
     heads = ("from", "lasted", "held by", "how it went", "the others that could have had it")
-    return table(f"Who took {named([explanation.task])}", heads, rows, 9)
+    made = table(f"Who took {named([explanation.task])}", heads, rows, 9)
+    return element("div", made, class_="spells")
 
 
 def _spell(spell: Spell, start: float) -> Sequence[Content]:
@@ -90,7 +91,7 @@ def _spell(spell: Spell, start: float) -> Sequence[Content]:
         seconds(spell.end - spell.start),
         named([spell.robot]) if spell.robot else element("em", "nobody"),
         went,
-        others_in_words(spell, start),
+        joined([element("div", line) for line in others_in_lines(spell, start)]),
     ]
 
 
