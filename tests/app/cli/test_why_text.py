@@ -53,11 +53,12 @@ def test_explanation_is_laid_out_in_columns() -> None:
 
 
 def test_long_lines_go_on_below_their_text_and_no_number_loses_its_unit() -> None:
-    text = " ".join(f"at {n}.0 s" for n in range(10, 60))
-    explanation = replace(DIG, grounds=(Ground(12.0, "dig", text, "mole"),))
-    lines = [line for line in why_text([explanation], 10.0).splitlines() if "at " in line and ".0 s" in line[20:]]
-    grounds = [line for line in lines if line.startswith(("       2.0 s", " " * 20))]
-    assert len(grounds) > 3
+    text = " ".join(f"at {n}.0 s" for n in range(10, 50))
+    explanation = replace(DIG, grounds=(Ground(12.0, "dig", text, "mole"),), more=0, note="")
+    lines = why_text([explanation], 10.0).splitlines()
+    grounds = lines[lines.index("  on what grounds") + 1 :]
+    assert len(grounds) == 4
+    assert [line[:20].strip() for line in grounds] == ["2.0 s  mole", *[""] * (len(grounds) - 1)]
     assert all(len(line) <= 110 and line.endswith(" s") for line in grounds)
     assert " ".join(line[20:] for line in grounds) == text
 

@@ -14,7 +14,7 @@ from rqt_mrta_py.transport.ros1 import RosNode
 
 __all__ = ["main", "options_of"]
 
-_TEXTS = ("application", "architecture", "out", "pictures", "figures", "fail_on")
+_TEXTS = ("application", "architecture", "out", "pictures", "figures", "why", "fail_on")
 _SWITCHES = ("video", "force", "json")
 
 
