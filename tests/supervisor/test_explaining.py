@@ -6,8 +6,11 @@ from dataclasses import replace
 from typing import Collection, List, Mapping, Optional, Tuple
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from rqt_mrta_py.model import (
+    Allocation,
     ApplicationRobot,
     Candidate,
     Explanation,
@@ -16,8 +19,13 @@ from rqt_mrta_py.model import (
     MissionRecord,
     Outcome,
     Progress,
+    RobotInterval,
+    RobotRecord,
     RobotState,
+    TaskInterval,
+    TaskRecord,
     TaskState,
+    Taxonomy,
 )
 from rqt_mrta_py.supervisor import Explainer
 from tests.supervisor.mini import Signs, Stream, mission
@@ -153,6 +161,30 @@ def test_of_a_foreign_team_only_who_took_it_could_have() -> None:
         Candidate("robot1", True, "it took it; else nothing is known of what it can do"),
         Candidate("robot2", None, "nothing is known of what it can do"),
     )
+
+
+spans = st.tuples(st.integers(0, 9), st.integers(1, 9)).map(lambda span: (float(span[0]), float(span[0] + span[1])))
+
+
+@given(st.lists(spans, max_size=6))
+def test_at_each_moment_somebody_holds_a_task_or_a_spell_says_that_nobody_does(held: List[Tuple[float, float]]) -> None:
+    task = TaskRecord(
+        "patrol", (TaskInterval(TaskState.WAITING, 0.0, 4.0), TaskInterval(TaskState.EXECUTING, 4.0, 20.0))
+    )
+    allocations = tuple(Allocation("patrol", "robot1", *span, Outcome.DONE) for span in sorted(held))
+    robots = (RobotRecord("robot1", (RobotInterval(RobotState.IDLE, 0.0, 20.0),)),)
+    record = MissionRecord(None, None, Taxonomy(), None, 0.0, 20.0, robots, (task,), allocations, (), ())
+
+    told = Explainer(mission(), record, {}).explain(task, ()).spells
+
+    for moment in (second + 0.5 for second in range(20)):
+        now = [spell for spell in told if spell.start <= moment < spell.end]
+        holding = [span for span in held if span[0] <= moment < span[1]]
+        assert [bool(spell.robot) for spell in now] == ([True] * len(holding) or [False])
+    assert [spell.start for spell in told] == sorted(spell.start for spell in told)
+    for spell in told:
+        if not spell.robot:
+            assert sum(each.end - each.start for each in spell.others) == spell.end - spell.start
 
 
 def test_grounds_stand_in_the_order_of_time() -> None:

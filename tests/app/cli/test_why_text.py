@@ -57,7 +57,7 @@ def test_long_lines_go_on_below_their_text_and_no_number_loses_its_unit() -> Non
     explanation = replace(DIG, grounds=(Ground(12.0, "dig", text, "mole"),), more=0, note="")
     lines = why_text([explanation], 10.0).splitlines()
     grounds = lines[lines.index("  on what grounds") + 1 :]
-    assert len(grounds) == 4
+    assert len(grounds) == 5
     assert [line[:20].strip() for line in grounds] == ["2.0 s  mole", *[""] * (len(grounds) - 1)]
     assert all(len(line) <= 110 and line.endswith(" s") for line in grounds)
     assert " ".join(line[20:] for line in grounds) == text
