@@ -72,14 +72,16 @@ def test_of_a_hold_it_is_told_what_the_others_did_when_it_began() -> None:
     ]
 
 
-def test_while_nobody_holds_it_each_robot_has_a_line_in_mission_time() -> None:
+def test_while_nobody_holds_it_robots_have_a_line_each_in_mission_time() -> None:
     others = (
         Whereabouts("a", IDLE, (), 11.0, 13.0),
         Whereabouts("a", BUSY, ("u",), 13.0, 15.0),
         Whereabouts("b", IDLE, (), 11.0, 15.0),
+        Whereabouts("c", IDLE, (), 11.0, 13.0),
+        Whereabouts("c", BUSY, ("u",), 13.0, 15.0),
     )
     assert others_in_lines(Spell(11.0, 15.0, others=others), 10.0) == [
-        "a: idle until 3.0 s, then busy with u",
+        "a, c: idle until 3.0 s, then busy with u",
         "b: idle",
     ]
 

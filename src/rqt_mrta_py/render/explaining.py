@@ -83,7 +83,7 @@ def others_in_lines(spell: Spell, start: float) -> List[str]:
         start: of the mission [s].
 
     Returns:
-        A line for all, or one for each robot; none if there is nothing to say.
+        A line for all, or one for those of which the same is to be said; none if there is nothing to say.
     """
     if not spell.others:
         return []
@@ -94,7 +94,10 @@ def others_in_lines(spell: Spell, start: float) -> List[str]:
     by_robot: Dict[str, List[Whereabouts]] = {}
     for each in spell.others:
         by_robot.setdefault(each.robot, []).append(each)
-    return [*(f"{named([robot])}: {_course(course, start)}" for robot, course in by_robot.items()), *more]
+    alike: Dict[str, List[str]] = {}
+    for robot, course in by_robot.items():
+        alike.setdefault(_course(course, start), []).append(robot)
+    return [*(f"{named(robots)}: {course}" for course, robots in alike.items()), *more]
 
 
 def ends_of(items: Sequence[_Item], most: int) -> Tuple[Sequence[_Item], int, Sequence[_Item]]:
