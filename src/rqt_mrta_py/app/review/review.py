@@ -28,10 +28,10 @@ from rqt_mrta_py.app.review.moments import Moments, picture_period
 from rqt_mrta_py.app.review.recordings import Recordings
 from rqt_mrta_py.app.review.request import ReviewRequest
 from rqt_mrta_py.app.review.skimming import Skimming
-from rqt_mrta_py.app.review.subject import subject_of
+from rqt_mrta_py.app.review.subject import Subject, subject_of
 from rqt_mrta_py.app.review.taking import Taking
 from rqt_mrta_py.app.review.why import Why
-from rqt_mrta_py.hooks import Listener, Stamped
+from rqt_mrta_py.hooks import Codec, Listener, Stamped
 from rqt_mrta_py.model import Explanation, Mission, MissionRecord
 from rqt_mrta_py.render.report import BagFile
 from rqt_mrta_py.supervisor import recorded_communication
@@ -64,12 +64,8 @@ def review_bag(
     """
     stopwatch = Stopwatch()
     recordings = Recordings((request.bag, *request.more))
-    for line in recordings.notes:
-        tell(line)
     codec = host.codec()
-    subject = subject_of(host, recordings, request.application, request.architecture, codec)
-    if subject.why:
-        tell(subject.why)
+    subject = _subject(host, request, recordings, codec, tell)
     mission = subject.mission
     period = _period(mission, request)
     excerpt = excerpt_of(recordings, request)
@@ -115,6 +111,18 @@ def review_bag(
             tell(line)
         why.check(results.record, folder.path)
         return replace(stopwatch.result(folder, results, interrupt), explanations=explanations)
+
+
+def _subject(
+    host: Host, request: ReviewRequest, recordings: Recordings, codec: Codec, tell: Callable[[str], None]
+) -> Subject:
+    """Find out what the bags are about, and tell the user what he should know of that."""
+    for line in recordings.notes:
+        tell(line)
+    subject = subject_of(host, recordings, request.application, request.architecture, codec)
+    if subject.why:
+        tell(subject.why)
+    return subject
 
 
 def _explained(why: Why, record: MissionRecord, folder: OutputFolder) -> Tuple[Explanation, ...]:
