@@ -3,11 +3,12 @@
 * ``supervisor``: hears the stream, drives the rest, gives records and messages; the place to begin
 * ``sightings``: that messages came, ``presence``: whose they are, ``message_key``: what points at one
 * ``ears``: what to hear, and what the team is told for it; ``statements``: what follows from what is stated
+* ``interpreter_ear``: what the architecture's own messages say
 * ``topics``, ``readers``, ``joins``, ``values``: which topics an architecture has, how their messages tell robots and
   tasks
 * ``team``: derives facts; ``robots``, ``tasks``, ``allocations`` keep one thing each, ``timeline`` their histories
 * ``standing``: how a team stands, as another supervisor tells whoever comes late
-* ``agenda``: what falls due when; ``repeats``: messages that only put it off
+* ``agenda``: what falls due when; ``repeats``: messages that only put it off; ``trail``: what one of them does
 * ``copies``: a team that looks ahead without moving on
 * ``clocks``: stamps against receipts, and who falls silent on a topic
 * ``desk``, ``rules``: incidents; ``failures``: plugins that raise on the way
@@ -19,21 +20,28 @@
 
 from __future__ import annotations
 
+from rqt_mrta_py.supervisor.message_key import MessageKey, heard_of
 from rqt_mrta_py.supervisor.news import team_news
 from rqt_mrta_py.supervisor.repeats import Attention
+from rqt_mrta_py.supervisor.robots import RobotWatch
 from rqt_mrta_py.supervisor.standing import Standing, standing_of
 from rqt_mrta_py.supervisor.summary import event_lines, incident_lines, summary
 from rqt_mrta_py.supervisor.supervisor import Supervisor
 from rqt_mrta_py.supervisor.topics import usual_pace
 from rqt_mrta_py.supervisor.traffic import Traffic, communication, recorded_communication
+from rqt_mrta_py.supervisor.trail import Trail
 
 __all__ = [
     "Attention",
+    "MessageKey",
+    "RobotWatch",
     "Standing",
     "Supervisor",
     "Traffic",
+    "Trail",
     "communication",
     "event_lines",
+    "heard_of",
     "incident_lines",
     "recorded_communication",
     "standing_of",

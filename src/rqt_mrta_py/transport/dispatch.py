@@ -90,29 +90,19 @@ class Dispatcher:
         route = self._route(connection)
         return route.met, bool(route.complaints)
 
-    def glance(self, stamped: Stamped, ahead: Callable[[str, float, int], None]) -> int:
+    def glance(self, stamped: Stamped, ordinal: int) -> None:
         """Hand one message that says nothing new to those who want each; nobody is told that it came.
 
         Args:
-            stamped: the next message of the stream.
-            ahead: is told its topic, receipt [s] and ordinal before anybody hears it.
-
-        Returns:
-            The ordinal.
+            stamped: the message; it is not counted.
+            ordinal: its place among the messages of its topic.
         """
         connection, receipt_ns, raw = stamped
         route = self._by_identity.get(id(connection)) or self._route(connection)
-        receipt, ordinal = receipt_ns / 1_000_000_000, next(route.ordinals)
-        ahead(connection.topic, receipt, ordinal)
-        self._hand_on(route, route.each, receipt, ordinal, raw)
-        return ordinal
-
-    def ordinals(self, connection: Connection) -> Iterator[int]:
-        """Count the messages of a connection's topic: taking one counts a message that is handed on in no other way."""
-        return self._route(connection).ordinals
+        self._hand_on(route, route.each, receipt_ns / 1_000_000_000, ordinal, raw)
 
     def pass_over(self, connection: Connection, messages: int) -> None:
-        """Count messages of a connection's topic that nobody wants to hear."""
+        """Count messages of a connection's topic that are handed on in no other way; at least one."""
         next(islice(self._route(connection).ordinals, messages - 1, None))
 
     def feed_all(

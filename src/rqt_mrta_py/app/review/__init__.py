@@ -3,6 +3,7 @@
 * ``review``: the whole of it; ``request``: what is asked for; ``choice``: which messages that means
 * ``recordings``: bags as one stream, whole or not
 * ``subject``: what they are about; ``inference``: if nobody says so
-* ``taking``: their messages on the way; ``skimming``: how they are taken in; ``habits``: which say anything new
+* ``taking``: their messages on the way; ``skimming``: how they are taken in
+* ``outlook``: what can be said of many messages at once; ``habits``: which say anything new; ``beats``: when robots speak
 * ``moments``: when a picture is drawn; ``account``: what was read, and why so
 """

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
+from typing import Sequence
 
 from rqt_mrta_py.hooks import Heard
 from rqt_mrta_py.supervisor.agenda import whole_nanoseconds
@@ -77,7 +79,7 @@ class Pulse:
     @property
     def last(self) -> Heard:
         """The newest message that shows that the robot is well."""
-        return self._message if self._says_both or self._heard_at >= self._busy_at else self._busy_message
+        return self._message if self.says_both or self._heard_at >= self._busy_at else self._busy_message
 
     @property
     def due(self) -> float:
@@ -86,7 +88,7 @@ class Pulse:
             return math.inf
         limit = max(self._timeout, _MISSED * self.period)
         due = self._heard_at + limit
-        if not self._says_both:
+        if not self.says_both:
             due = max(due, self._busy_at + limit, self._busy_until)
         return whole_nanoseconds(due)
 
@@ -108,10 +110,38 @@ class Pulse:
         if self.silent:
             self._spoken += self.period
         elif self._beats:
-            self._spoken += now - (beat if self._says_both else max(beat, self._busy_at))
+            self._spoken += now - (beat if self.says_both else max(beat, self._busy_at))
         self._beat = now
         self._beats += 1
         return self.silent or self._beats == _REGULAR
+
+    def hear_together(self, times: Sequence[float], last: Heard) -> None:
+        """Take in messages of the topic as ``hear`` takes them one by one, while it is a pulse without a gap.
+
+        Args:
+            times: when they were received, in order [s]; nobody has said meanwhile that the robot is busy, unless it
+                says both.
+            last: the last of them.
+        """
+        if not times:
+            return
+        beat, grain, place = self._beat, self._grain, 0
+        while True:
+            # Whether a message belongs to the beat is decided by the difference, as it is for one alone.
+            place = bisect_left(times, beat + grain, place)
+            while place and not times[place - 1] - beat < grain:
+                place -= 1
+            while place < len(times) and times[place] - beat < grain:
+                place += 1
+            if place == len(times):
+                break
+            now = times[place]
+            self._spoken += now - (beat if self.says_both else max(beat, self._busy_at))
+            self._beats += 1
+            beat = now
+        self._beat = beat
+        self._heard_at = times[-1]
+        self._message = last
 
     def hear_busy(self, now: float, until: float, message: Heard) -> bool:
         """Take in that the robot says that it is busy.
@@ -124,13 +154,14 @@ class Pulse:
         Returns:
             Whether it ends a gap, or shows that the robot may be missed though it says this.
         """
-        both = self._says_both
+        both = self.says_both
         if self._busy_at < self._heard_at and now < self._busy_until:
             self._between += 1
         self._busy_at, self._busy_message = now, message
         self._busy_until = max(until, self._busy_until)
-        return not both and (self.silent or self._says_both)
+        return not both and (self.silent or self.says_both)
 
     @property
-    def _says_both(self) -> bool:
+    def says_both(self) -> bool:
+        """Whether it was heard to say that it is idle while it is busy."""
         return self._between >= _LEARNED
