@@ -12,7 +12,7 @@ def test_a_message_that_is_followed_keeps_a_robot_busy_and_its_allocation_going(
     repeats = stream.supervisor.repeats
     trail = repeats.listen()
     stream.busy(100.5, "robot1", "patrol")
-    assert trail.names == {("robot", "robot1"), ("task", "patrol")}
+    assert trail.names == {("robot1", ""), ("robot1", "patrol"), ("", "patrol")}
     repeats.follow(trail, (COMMUNICATION, 101.9, 2))
     stream.supervisor.let_pass(110.0)
     record = stream.supervisor.finish()
@@ -27,6 +27,6 @@ def test_what_changed_is_told_once() -> None:
     assert repeats.turned() is None
     assert repeats.turned() == set()
     stream.busy(100.1, "robot2", "inspect")
-    assert repeats.turned() == {("robot", "robot2"), ("task", "inspect")}
+    assert repeats.turned() == {("robot2", ""), ("robot2", "inspect"), ("", "inspect")}
     stream.busy(100.2, "robot2", "inspect")
     assert repeats.turned() == set()

@@ -12,6 +12,7 @@ from typing import Callable, Dict, FrozenSet, Iterable, List, Optional, Sequence
 
 from rqt_mrta_py.hooks import (
     AllocationEnded,
+    AllocationExpired,
     AllocationStarted,
     Connection,
     Fact,
@@ -34,7 +35,16 @@ from rqt_mrta_py.supervisor.trail import Name, Trail
 
 __all__ = ["Attention", "Repeats", "look_again"]
 
-_TURNS = (AllocationEnded, AllocationStarted, RobotHeard, RobotSilent, RobotStateChanged, TaskStateChanged, TopicSilent)
+_TURNS = (
+    AllocationEnded,
+    AllocationExpired,
+    AllocationStarted,
+    RobotHeard,
+    RobotSilent,
+    RobotStateChanged,
+    TaskStateChanged,
+    TopicSilent,
+)
 """Facts after which a message that repeats another one may say something new."""
 
 _Pairs = Sequence[Tuple[Subscription, Callback]]
@@ -118,7 +128,10 @@ class Repeats:
         """Take note of a fact."""
         self._facts += 1
         if isinstance(fact, _TURNS):
-            self._turned.update((kind, getattr(fact, kind)) for kind in ("robot", "task") if hasattr(fact, kind))
+            self._turned.add((getattr(fact, "robot", ""), getattr(fact, "task", "")))
+        if isinstance(fact, AllocationExpired):
+            # How it ended is settled once the robot is heard, whatever it says.
+            self._turned.add((fact.robot, ""))
 
     @property
     def stirrings(self) -> int:
@@ -159,24 +172,21 @@ class Repeats:
     def quiet_until(self) -> float:
         """A time up to which nothing falls due, as far as is known now [s].
 
-        Minus infinity if something is to be settled. Robots that count as silent are another matter.
+        Minus infinity if something is to be settled. Robots that are waited for are another matter.
         """
-        book = self._team.book
-        if not self._team.robots or book.unsettled or book.expired:
-            return -math.inf
-        return self._next_due()
+        return self._next_due() if self._team.robots and not self._team.book.unsettled else -math.inf
 
     def look_again(self) -> None:
         """Look when that which falls due next is truly due: what was heard since has put it off."""
-        book = self._team.book
-        if not (book.unsettled or book.expired):
+        if not self._team.book.unsettled:
             look_again(self._team, self._topics.silence)
             self._timekeeper.look_again()
 
     @property
-    def silent_robots(self) -> FrozenSet[str]:
-        """Ids of the robots that count as silent, so that it matters when they are heard."""
-        return frozenset(robot.id for robot in self._team.robots.values() if robot.silent)
+    def awaited(self) -> FrozenSet[str]:
+        """Ids of the robots of which it matters that they are heard: they count as silent, or one waits for them."""
+        silent = [robot.id for robot in self._team.robots.values() if robot.silent]
+        return frozenset([*silent, *(robot for robot, _ in self._team.book.expired)])
 
     def owner(self, connection: Connection) -> Optional[RobotWatch]:
         """Give the robot whose messages come on a connection; None if of none that is known so far."""
@@ -199,15 +209,18 @@ def look_again(team: Team, silence: float) -> None:
     """Look when that which stands first on a team's agenda is truly due, until it is the one that falls due first.
 
     Args:
-        team: settled, with no allocation that has expired.
+        team: settled.
         silence: how long a robot says nothing until it counts as lost [s].
     """
     agenda = team.agenda
     while agenda.next < math.inf:
         due = _true_due(team, agenda.first, silence)
-        if due is None or due <= agenda.next:
+        if due is None:
+            agenda.take()
+        elif due > agenda.next:
+            agenda.put_off(due)
+        else:
             return
-        agenda.put_off(due)
 
 
 def _true_due(team: Team, entry: Entry, silence: float) -> Optional[float]:

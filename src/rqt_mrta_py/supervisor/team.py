@@ -115,7 +115,7 @@ class Team:
         return task
 
     def speak_of(self, robot_id: str, task_id: str = "") -> None:
-        """Take in that a message speaks of a robot or a task, known or not; either may be empty."""
+        """Take in that a message speaks of a robot, or of a task and what a robot has to do with it, known or not."""
         if self.trail is not None:
             self.trail.speak_of(robot_id, task_id)
 

@@ -15,7 +15,7 @@ from rqt_mrta_py.supervisor.tasks import TaskWatch
 __all__ = ["Name", "Trail"]
 
 Name = Tuple[str, str]
-"""``robot`` or ``task``, and its id."""
+"""Ids of a robot and a task, for what is between them; of a robot or a task alone the other is empty."""
 
 
 class Trail:
@@ -37,11 +37,10 @@ class Trail:
         self._anonymous: List[Tuple[TaskWatch, float]] = []
 
     def speak_of(self, robot_id: str, task_id: str) -> None:
-        """Note whom and what the message speaks of; either may be empty."""
-        if robot_id:
-            self.names.add(("robot", robot_id))
+        """Note that the message speaks of a robot, or of a task and what a robot has to do with it."""
+        self.names.add((robot_id, task_id))
         if task_id:
-            self.names.add(("task", task_id))
+            self.names.add(("", task_id))
 
     def show(self, robot: RobotWatch) -> None:
         """Note that the message is a robot's own."""

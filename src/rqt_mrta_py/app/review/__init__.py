@@ -4,6 +4,6 @@
 * ``recordings``: bags as one stream, whole or not
 * ``subject``: what they are about; ``inference``: if nobody says so
 * ``taking``: their messages on the way; ``skimming``: how they are taken in
-* ``outlook``: what can be said of many messages at once; ``habits``: which say anything new; ``beats``: when robots speak
+* ``outlook``: what can be said of many messages at once; ``habits``: which say anything new; ``beats``: when they came
 * ``moments``: when a picture is drawn; ``account``: what was read, and why so
 """

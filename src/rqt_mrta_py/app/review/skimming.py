@@ -50,7 +50,7 @@ class Skimming:
         # By number of the connection.
         self._each: NDArray[np.bool_] = np.empty(0, np.bool_)
         self._unsettled: NDArray[np.bool_] = np.empty(0, np.bool_)
-        # Of which connections the newest message speaks of a robot or a task, by its name.
+        # Of which connections the newest message speaks of something.
         self._speaking: Dict[Name, Set[int]] = {}
         self._by_voice: Dict[int, Set[int]] = {}
         self._newest = -1
@@ -157,9 +157,9 @@ class Skimming:
                 self._unsettled[list(self._speaking.get(name, ()))] = True
         else:
             return
-        silent = self._repeats.silent_robots
-        if silent:
-            owners = [speaker.owner is not None and speaker.owner.id in silent for speaker in self._speakers]
+        awaited = self._repeats.awaited
+        if awaited:
+            owners = [speaker.owner is not None and speaker.owner.id in awaited for speaker in self._speakers]
             self._unsettled |= np.array(owners, np.bool_)
 
     def _quiet_end(self, place: int, upto: int) -> int:
@@ -174,7 +174,9 @@ class Skimming:
             self._put_off(place)
             self._limit = self._repeats.quiet_until
             if self._is_due(place):
-                return place
+                self._let_pass(place)
+                if self._unsettled[numbers[place]] or self._is_due(place):
+                    return place
         end = min(upto, place + _WINDOW)
         if self._limit < math.inf:
             end = bisect_right(outlook.receipts, int(self._limit * _NS) - _GRAIN, place, end)
@@ -206,6 +208,13 @@ class Skimming:
             self._follow(each)
         self._put_off_to = place
         self._repeats.look_again()
+
+    def _let_pass(self, place: int) -> None:
+        """Let happen what falls due before a message."""
+        self._catch_up(place)
+        self._repeats.reach(self._outlook.key(place))
+        self._settle()
+        self._limit = self._repeats.quiet_until
 
     def _catch_up(self, place: int) -> None:
         """Take in the messages up to a place, from which nothing follows but from the last of each connection."""
