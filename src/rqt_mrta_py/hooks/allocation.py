@@ -66,7 +66,9 @@ class AllocationInterpreter(Protocol):
     say the same again and again in all fields asked for, the first, then the last before anything changes, and each
     once a robot or task has changed that its answer to the one before spoke of. So reviews are quicker; what follows
     from a message must then be the same though it be heard twice, and depend on what was said of its own robot and task
-    alone: to one that repeats another the answer counts as known.
+    alone: to one that repeats another the answer counts as known. If its attribute ``last_matters`` lists some of its
+    subscriptions, it is told so of the last of their messages only; those are to be listed of which it remembers when
+    they were heard.
     """
 
     def subscriptions(self) -> Sequence[Subscription]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Callable, List, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import (
@@ -102,7 +103,16 @@ class Ears:
         if interpreter is None:
             return ()
         ear = self._interpreter = InterpreterEar(interpreter, architecture, self._come_to, self._take_sign)
-        return [(wish, ear.hear) for wish in ear.subscriptions()]
+        # Each with a callback of its own, by which they are told apart.
+        return [(wish, partial(ear.hear)) for wish in ear.subscriptions()]
+
+    @property
+    def last_matters(self) -> Optional[Sequence[Subscription]]:
+        """Of what the interpreter hears, that of which the last of messages that repeat one another matters.
+
+        None if each of all messages does.
+        """
+        return None if self._interpreter is None else self._interpreter.last_matters
 
     def hear_again(self, heard: Heard) -> None:
         """Let the interpreter hear a message that says what the one before it said."""

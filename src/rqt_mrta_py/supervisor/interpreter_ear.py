@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Callable, Sequence, Tuple, Union
+from typing import Callable, Optional, Sequence, Tuple, Union
 
 from rqt_mrta_py.hooks import AllocationInterpreter, AllocationSign, Applicability, Heard, Subscription
 from rqt_mrta_py.supervisor.failures import checked, failure
@@ -44,6 +44,14 @@ class InterpreterEar:
             return [checked("a wish", wish, Subscription) for wish in self._interpreter.subscriptions()]
         except Exception as error:
             raise failure(self._who, error, "subscribing") from error
+
+    @property
+    def last_matters(self) -> Optional[Sequence[Subscription]]:
+        """Of which subscriptions the last of messages that repeat one another matters; None: each of all messages."""
+        if getattr(self._interpreter, "repeats_matter", True):
+            return None
+        wishes: Sequence[Subscription] = getattr(self._interpreter, "last_matters", None) or self.subscriptions()
+        return wishes
 
     def hear(self, heard: Heard) -> None:
         """Take in a message.

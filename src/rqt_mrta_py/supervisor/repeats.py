@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from enum import Enum
-from typing import Callable, Dict, FrozenSet, Iterable, List, Optional, Sequence, Set, Tuple
+from typing import Callable, Dict, FrozenSet, List, Optional, Sequence, Set, Tuple
 
 from rqt_mrta_py.hooks import (
     AllocationEnded,
@@ -54,7 +54,7 @@ class Attention(Enum):
     """Which of the messages that repeat one another somebody must hear."""
 
     TRAIL = "trail"
-    """The first, as long as nothing changes of what it speaks of: from the others follows what followed from it."""
+    """The first, as long as nothing changes of what it speaks of: from others that say the same the same follows."""
     LAST = "last"
     """The first, and the last before anything changes."""
     EACH = "each"
@@ -98,14 +98,15 @@ class Repeats:
         self._admitted = (0, 0)
         self._attention: Dict[Callback, Attention] = {}
 
-    def sort(self, ears: _Pairs, interpreter: _Pairs, timing: _Pairs, repeats_matter: bool) -> None:
+    def sort(self, ears: _Pairs, interpreter: _Pairs, timing: _Pairs, last: Optional[Sequence[Subscription]]) -> None:
         """Take note of who hears what.
 
         Args:
             ears: what monitored topics say.
             interpreter: what the architecture's own messages say.
             timing: who holds receipts against one another.
-            repeats_matter: whether the interpreter must hear each message.
+            last: of what the interpreter hears only the last of messages that repeat one another matters, and of the
+                rest only the first; None: it must hear each.
         """
         again: List[Subscription] = []
         once: List[Subscription] = []
@@ -117,8 +118,10 @@ class Repeats:
         habitual = frozenset(again) - frozenset(once)
         for wish, callback in ears:
             self._attention[callback] = Attention.TRAIL if wish in habitual else Attention.AT_ONCE
-        self._sort_all(interpreter, Attention.AT_ONCE if repeats_matter else Attention.LAST)
-        self._sort_all(timing, Attention.TIMED)
+        for wish, callback in interpreter:
+            known = Attention.TRAIL if last is None or wish not in last else Attention.LAST
+            self._attention[callback] = Attention.AT_ONCE if last is None else known
+        self._attention.update((callback, Attention.TIMED) for _, callback in timing)
 
     def attention(self, callback: Callback) -> Attention:
         """Say which of the messages that repeat one another somebody must hear."""
@@ -129,9 +132,6 @@ class Repeats:
         self._facts += 1
         if isinstance(fact, _TURNS):
             self._turned.add((getattr(fact, "robot", ""), getattr(fact, "task", "")))
-        if isinstance(fact, AllocationExpired):
-            # How it ended is settled once the robot is heard, whatever it says.
-            self._turned.add((fact.robot, ""))
 
     @property
     def stirrings(self) -> int:
@@ -200,9 +200,6 @@ class Repeats:
     def reach(self, message: MessageKey) -> None:
         """Let time pass up to a message that nobody hears who would do so."""
         self._enter(message)
-
-    def _sort_all(self, pairs: Iterable[Tuple[Subscription, Callback]], attention: Attention) -> None:
-        self._attention.update((callback, attention) for _, callback in pairs)
 
 
 def look_again(team: Team, silence: float) -> None:

@@ -64,18 +64,19 @@ class Speaker:
         self.trail = trail
         self._told.clear()
 
-    def again(self, raw: bytes, message: MessageKey) -> Iterator[Heard]:
+    def again(self, block: Block, place: int, message: MessageKey) -> Iterator[Heard]:
         """Give a message, which says what the newest one that was taken in in full said, as an interpreter hears it.
 
         Args:
-            raw: its bytes.
+            block: with the message.
+            place: of it there.
             message: its key.
         """
         connection, (topic, receipt, ordinal) = self.connection, message
         for met in self.habit.again:
             fields = self._told.get(met.paths)
             if fields is None:
-                fields = _NOTHING if met.reader is None else dict(zip(met.paths, met.reader(raw)))
+                fields = _NOTHING if met.reader is None else dict(zip(met.paths, met.reader(block[place].raw)))
                 if not any(map(is_stamp, met.paths)):
                     self._told[met.paths] = fields
             yield Heard(topic, connection.type, receipt, fields, met.robot, met.task, connection.caller, ordinal)

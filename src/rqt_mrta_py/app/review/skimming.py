@@ -50,6 +50,8 @@ class Skimming:
         # By number of the connection.
         self._each: NDArray[np.bool_] = np.empty(0, np.bool_)
         self._unsettled: NDArray[np.bool_] = np.empty(0, np.bool_)
+        # Who has anything to do with a robot that is waited for; None if there is no such robot.
+        self._awaited: Optional[NDArray[np.bool_]] = None
         # Of which connections the newest message speaks of something.
         self._speaking: Dict[Name, Set[int]] = {}
         self._by_voice: Dict[int, Set[int]] = {}
@@ -158,15 +160,17 @@ class Skimming:
         else:
             return
         awaited = self._repeats.awaited
+        self._awaited = None
         if awaited:
             owners = [speaker.owner is not None and speaker.owner.id in awaited for speaker in self._speakers]
-            self._unsettled |= np.array(owners, np.bool_)
+            self._awaited = np.array(owners, np.bool_)
+            for robot in awaited:
+                self._awaited[list(self._speaking.get((robot, ""), ()))] = True
 
     def _quiet_end(self, place: int, upto: int) -> int:
         """Say up to which message nothing follows from any but the last of each connection."""
         outlook = self._outlook
-        numbers = outlook.block.numbers
-        if outlook.news[place] or self._unsettled[numbers[place]]:
+        if outlook.news[place] or self._unsettled[outlook.numbers[place]]:
             return place
         if self._limit is None:
             self._limit = self._repeats.quiet_until
@@ -175,14 +179,20 @@ class Skimming:
             self._limit = self._repeats.quiet_until
             if self._is_due(place):
                 self._let_pass(place)
-                if self._unsettled[numbers[place]] or self._is_due(place):
+                if self._matters(place, place + 1)[0] or self._is_due(place):
                     return place
         end = min(upto, place + _WINDOW)
         if self._limit < math.inf:
             end = bisect_right(outlook.receipts, int(self._limit * _NS) - _GRAIN, place, end)
-        matters = outlook.news[place:end] | self._unsettled[numbers[place:end]]
+        matters = self._matters(place, end)
         first = int(matters.argmax())
         return place + first if matters[first] else end
+
+    def _matters(self, place: int, end: int) -> NDArray[np.bool_]:
+        """Tell which messages between two places must be taken in in full."""
+        numbers = self._outlook.block.numbers[place:end]
+        matters = self._outlook.news[place:end] | self._unsettled[numbers]
+        return matters if self._awaited is None else matters | self._awaited[numbers]
 
     def _is_due(self, place: int) -> bool:
         """Tell whether something may fall due before a message."""
@@ -222,7 +232,7 @@ class Skimming:
         for each in self._timed(self._followed, place):
             speaker = self._follow(each)
             if speaker.habit.again:
-                for heard in speaker.again(outlook.block[each].raw, outlook.key(each)):
+                for heard in speaker.again(outlook.block, each, outlook.key(each)):
                     repeats.tell_again(heard)
         self._put_off_to = self._followed = place
 
@@ -256,3 +266,5 @@ class Skimming:
         self._speakers += added
         self._each = np.append(self._each, [each.habit.each for each in added]).astype(np.bool_)
         self._unsettled = np.append(self._unsettled, [True] * len(added)).astype(np.bool_)
+        if self._awaited is not None:
+            self._awaited = np.append(self._awaited, [True] * len(added)).astype(np.bool_)
