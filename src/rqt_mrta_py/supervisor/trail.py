@@ -69,7 +69,7 @@ class Trail:
         for robot in self._shown:
             robot.heard_at, robot.last_message = now, message
         for robot, state, timeout in self._renewed:
-            robot.renew(state, now + timeout)
+            robot.prolong(state, now + timeout)
         if self._prolonged:
             heard: Heard = heard_of(message)
             for hold, timeout in self._prolonged:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from typing import Dict, List, Sequence
 
 import numpy as np
@@ -14,6 +15,8 @@ from rqt_mrta_py.transport import Block
 __all__ = ["Outlook"]
 
 _NS = 1_000_000_000
+_FEW = 8
+"""So many messages are looked at faster one by one."""
 
 
 class Outlook:
@@ -25,7 +28,6 @@ class Outlook:
         numbers: of each message's connection.
         receipts: of each [ns].
         rows: places of the messages of each connection that has any, by its number, in order.
-        following: place of the next message of the same connection, or one behind the last of all, shape (messages,).
         news: which say something else than the one before on their connection, or must be taken in at once whatever
             they say, shape (messages,).
 
@@ -42,13 +44,17 @@ class Outlook:
         self.receipts: List[int] = block.receipts.tolist()
         self.rows = _rows_by_number(block)
         size = len(block)
-        self.following: NDArray[np.int64] = np.full(size, size, np.int64)
+        # Place of the next message of the same connection, or one behind the last of all.
+        self._following: NDArray[np.int64] = np.full(size, size, np.int64)
+        again: List[NDArray[np.int64]] = []
         self.news: NDArray[np.bool_] = np.zeros(size, np.bool_)
         ordinals: NDArray[np.int64] = np.zeros(size, np.int64)
         topics: Dict[str, List[NDArray[np.int64]]] = {}
         for number, rows in self.rows.items():
-            self.following[rows[:-1]] = rows[1:]
+            self._following[rows[:-1]] = rows[1:]
             speaker = speakers[number]
+            if speaker.habit.again:
+                again.append(rows)
             self.news[rows] = True if speaker.habit.at_once else speaker.news(block, rows)
             topics.setdefault(speaker.connection.topic, []).append(rows)
         for topic, parts in topics.items():
@@ -57,6 +63,7 @@ class Outlook:
             ordinals[rows] = np.arange(first, first + len(rows))
             counts[topic] = first + len(rows)
         self.ordinals: List[int] = ordinals.tolist()
+        self._again: List[int] = np.sort(np.concatenate(again)).tolist() if again else []
 
     def key(self, place: int) -> MessageKey:
         """Give the key of a message."""
@@ -65,8 +72,16 @@ class Outlook:
 
     def last_ones(self, begin: int, end: int) -> List[int]:
         """Give the place of the last message of each connection that has any between two places, in order."""
-        found: List[int] = (np.flatnonzero(self.following[begin:end] >= end) + begin).tolist()
-        return found
+        if end - begin <= _FEW:
+            return [place for place in range(begin, end) if self._following[place] >= end]
+        found: NDArray[np.int64] = (self._following[begin:end] >= end).nonzero()[0] + begin
+        return found.tolist()
+
+    def last_again(self, begin: int, end: int) -> List[int]:
+        """Give those of them that an interpreter hears again."""
+        again = self._again
+        its = again[bisect_left(again, begin) : bisect_left(again, end)]
+        return [place for place in its if self._following[place] >= end]
 
 
 def _rows_by_number(block: Block) -> Dict[int, NDArray[np.int64]]:

@@ -56,8 +56,8 @@ class Skimming:
         self._speaking: Dict[Name, Set[int]] = {}
         self._by_voice: Dict[int, Set[int]] = {}
         self._newest = -1
-        # Of the block: up to where messages have been taken in, put off what falls due, and been followed.
-        self._place = self._put_off_to = self._followed = 0
+        # Of the block: up to where messages have been taken in, been followed, and been told again.
+        self._place = self._followed = self._told = 0
         self._beats: Optional[Beats] = None
         self._limit: Optional[float] = None
         self._begin(Outlook(Block.of(ConnectionList(), ()), (), {}))
@@ -100,7 +100,7 @@ class Skimming:
 
     def _begin(self, outlook: Outlook) -> None:
         self._outlook = outlook
-        self._place = self._put_off_to = self._followed = 0
+        self._place = self._followed = self._told = 0
         self._beats = self._limit = None
         numbers = outlook.block.numbers
         self._glances: List[int] = np.flatnonzero(self._each[numbers]).tolist() if self._each.any() else []
@@ -128,7 +128,7 @@ class Skimming:
             for name in trail.names:
                 self._speaking.setdefault(name, set()).add(number)
         speaker.take(trail)
-        self._put_off_to = self._followed = place + 1
+        self._followed = self._told = place + 1
         self._limit = None
         if self._beats is not None:
             self._beats.skip(place + 1)
@@ -214,9 +214,7 @@ class Skimming:
 
     def _put_off(self, place: int) -> None:
         """Let messages up to a place put off what falls due, and look when that is."""
-        for each in self._timed(self._put_off_to, place):
-            self._follow(each)
-        self._put_off_to = place
+        self._follow(place)
         self._repeats.look_again()
 
     def _let_pass(self, place: int) -> None:
@@ -228,32 +226,29 @@ class Skimming:
 
     def _catch_up(self, place: int) -> None:
         """Take in the messages up to a place, from which nothing follows but from the last of each connection."""
-        outlook, repeats = self._outlook, self._repeats
-        for each in self._timed(self._followed, place):
-            speaker = self._follow(each)
-            if speaker.habit.again:
-                for heard in speaker.again(outlook.block, each, outlook.key(each)):
-                    repeats.tell_again(heard)
-        self._put_off_to = self._followed = place
+        self._follow(place)
+        outlook = self._outlook
+        for each in outlook.last_again(self._told, place):
+            for heard in self._speakers[outlook.numbers[each]].again(outlook.block, each, outlook.key(each)):
+                self._repeats.tell_again(heard)
+        self._told = place
 
-    def _timed(self, begin: int, end: int) -> List[int]:
-        """Take in when messages up to a place came; give the last of each connection from another place on."""
+    def _follow(self, end: int) -> None:
+        """Do what messages up to a place do that say what the ones before them said."""
+        begin = self._followed
         if begin == end:
-            return []
+            return
         if self._beats is not None:
             self._beats.until(end)
-        return self._outlook.last_ones(begin, end)
-
-    def _follow(self, place: int) -> Speaker:
-        """Do what a message does that says what the one before it said; answer whose it is."""
-        outlook = self._outlook
-        speaker, key = self._speakers[outlook.numbers[place]], outlook.key(place)
-        owner = speaker.owner
-        if owner is not None:
-            owner.heard_at, owner.last_message = key[1], key
-        if speaker.trail is not None:
-            self._repeats.follow(speaker.trail, key)
-        return speaker
+        outlook, speakers, follow = self._outlook, self._speakers, self._repeats.follow
+        for place in outlook.last_ones(begin, end):
+            speaker, key = speakers[outlook.numbers[place]], outlook.key(place)
+            owner = speaker.owner
+            if owner is not None:
+                owner.heard_at, owner.last_message = key[1], key
+            if speaker.trail is not None:
+                follow(speaker.trail, key)
+        self._followed = end
 
     def _meet(self, block: Block) -> None:
         """Take note of connections that were not known before."""
