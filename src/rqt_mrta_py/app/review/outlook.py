@@ -74,8 +74,8 @@ class Outlook:
         """Give the place of the last message of each connection that has any between two places, in order."""
         if end - begin <= _FEW:
             return [place for place in range(begin, end) if self._following[place] >= end]
-        found: NDArray[np.int64] = (self._following[begin:end] >= end).nonzero()[0] + begin
-        return found.tolist()
+        found: List[int] = ((self._following[begin:end] >= end).nonzero()[0] + begin).tolist()
+        return found
 
     def last_again(self, begin: int, end: int) -> List[int]:
         """Give those of them that an interpreter hears again."""
