@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import logging
-from typing import Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple
+from typing import Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 from rqt_mrta_py.app.guard import GuardedMeasure, GuardedPanel, made
 from rqt_mrta_py.app.observers import observers_of
@@ -67,6 +67,7 @@ class Habit(NamedTuple):
     Attributes:
         at_once: each must be taken in before any that follows, on whatever topic.
         each: somebody wants to hear each, though it says nothing new to the supervisor.
+        wakes: whoever does is a rule, which may ask to be woken.
         timed: the supervisor holds receipts, and stamps if there are any, against one another.
         said: fields that must differ for it to say anything new; None if it says nothing but that its robot is heard.
         again: what the interpreter hears, of the last message before anything changes too.
@@ -74,6 +75,7 @@ class Habit(NamedTuple):
 
     at_once: bool
     each: bool
+    wakes: bool
     timed: bool
     said: Optional[Tuple[str, ...]]
     again: Tuple[MetWish, ...]
@@ -193,19 +195,20 @@ class Observation:
         return Habit(
             at_once=wrong or Attention.AT_ONCE in attentions or timed > 1,
             each=Attention.EACH in attentions,
+            wakes=any(self._attention.get(each.callback) is Attention.EACH for each in met),
             timed=timed == 1,
             said=tuple(paths) if trail or again else None,
             again=tuple(again),
         )
 
-    def glance(self, stamped: Stamped, ordinal: int) -> None:
-        """Let those hear a message who want each, though it says nothing new to the supervisor.
+    @property
+    def glance(self) -> Callable[[Connection, float, int, bytes], None]:
+        """What lets those hear a message who want each, though it says nothing new to the supervisor.
 
-        Args:
-            stamped: the message; it is not counted.
-            ordinal: its place among the messages of its topic.
+        It takes its connection, its receipt [s], its place among the messages of its topic, where it is not counted,
+        and its bytes.
         """
-        self._dispatcher.glance(stamped, ordinal)
+        return self._dispatcher.glance
 
     def pass_over(self, connection: Connection, messages: int) -> None:
         """Count messages of a connection's topic that are fed in no other way; at least one."""

@@ -91,16 +91,17 @@ class Dispatcher:
         route = self._route(connection)
         return route.met, bool(route.complaints)
 
-    def glance(self, stamped: Stamped, ordinal: int) -> None:
+    def glance(self, connection: Connection, receipt: float, ordinal: int, raw: bytes) -> None:
         """Hand one message that says nothing new to those who want each; nobody is told that it came.
 
         Args:
-            stamped: the message; it is not counted.
-            ordinal: its place among the messages of its topic.
+            connection: how it came.
+            receipt: when it was received [s].
+            ordinal: its place among the messages of its topic; it is not counted here.
+            raw: its bytes.
         """
-        connection, receipt_ns, raw = stamped
         route = self._by_identity.get(id(connection)) or self._route(connection)
-        self._hand_on(route, route.glance, receipt_ns / 1_000_000_000, ordinal, raw)
+        self._hand_on(route, route.glance, receipt, ordinal, raw)
 
     def pass_over(self, connection: Connection, messages: int) -> None:
         """Count messages of a connection's topic that are handed on in no other way; at least one."""

@@ -27,6 +27,7 @@ class Outlook:
         speakers: by number of their connection.
         numbers: of each message's connection.
         receipts: of each [ns].
+        begins, ends: where each begins and ends in the block's content [bytes].
         rows: places of the messages of each connection that has any, by its number, in order.
         news: which say something else than the one before on their connection, or must be taken in at once whatever
             they say, shape (messages,).
@@ -42,6 +43,8 @@ class Outlook:
         self.speakers = speakers
         self.numbers: List[int] = block.numbers.tolist()
         self.receipts: List[int] = block.receipts.tolist()
+        self.begins: List[int] = block.begins.tolist()
+        self.ends: List[int] = block.ends.tolist()
         self.rows = _rows_by_number(block)
         size = len(block)
         # Place of the next message of the same connection, or one behind the last of all.

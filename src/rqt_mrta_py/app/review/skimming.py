@@ -43,6 +43,7 @@ class Skimming:
         self._observation = observation
         self._supervisor = observation.supervisor
         self._repeats = observation.supervisor.repeats
+        self._glance_at = observation.glance
         self._speakers: List[Speaker] = []
         # Messages by topic: those met, and those that the observation has counted.
         self._met: Dict[str, int] = {}
@@ -201,15 +202,18 @@ class Skimming:
 
     def _glance(self, place: int, end: int) -> int:
         """Hand messages between two places to those who want to hear each; answer up to where nothing falls due."""
-        glances = self._glances
-        at = bisect_left(glances, place)
-        while at < len(glances) and glances[at] < end:
-            place = glances[at]
-            self._observation.glance(self._outlook.block[place], self._outlook.ordinals[place])
-            if self._limit is not None and self._supervisor.next_due < self._limit:
+        glances, outlook = self._glances, self._outlook
+        if not glances:
+            return end
+        glance, numbers, receipts, ordinals = self._glance_at, outlook.numbers, outlook.receipts, outlook.ordinals
+        content, begins, ends = outlook.block.content, outlook.begins, outlook.ends
+        for each in glances[bisect_left(glances, place) : bisect_left(glances, end)]:
+            speaker = self._speakers[numbers[each]]
+            raw = content[begins[each] : ends[each]]
+            glance(speaker.connection, receipts[each] / _NS, ordinals[each], raw)
+            if speaker.habit.wakes and self._limit is not None and self._supervisor.next_due < self._limit:
                 self._limit = None
-                return place + 1
-            at += 1
+                return each + 1
         return end
 
     def _put_off(self, place: int) -> None:
