@@ -13,7 +13,7 @@ from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.review.recordings import Recordings
 from rqt_mrta_py.app.review.skimming import Skimming
 from rqt_mrta_py.app.review.subject import subject_of
-from rqt_mrta_py.hooks import Codec, Fact, Heard, IncidentBoard, Stamped, Subscription
+from rqt_mrta_py.hooks import AllocationSign, Codec, Fact, Heard, IncidentBoard, Stamped, Subscription
 from rqt_mrta_py.model import Mission, Progress, Severity
 from rqt_mrta_py.supervisor import event_lines, incident_lines, summary
 from rqt_mrta_py.transport import Block, ConnectionList, Excerpt
@@ -157,6 +157,57 @@ def test_skimming_a_team_that_nobody_listed_changes_nothing(host: Host, seed: in
     expected, events = one_by_one(about, host, messages)
     assert events > 10
     assert skimmed(about, host, cut(messages, seed)) == expected
+
+
+class Remembering:
+    """An interpreter that says nothing, and remembers when robots announced what."""
+
+    repeats_matter = False
+    last_matters = (Subscription("/alliance/inter_robot_communication", "", ("task_id",)),)
+
+    def __init__(self) -> None:
+        self.heard: List[Tuple[str, float]] = []
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        return (*self.last_matters, Subscription("/@robot_id@/alliance/motivation/@task_id@", "", ("active",)))
+
+    def hear(self, heard: Heard) -> Sequence[AllocationSign]:
+        self.heard.append((heard.topic.rsplit("/", 1)[-1], heard.receipt))
+        return ()
+
+
+def test_an_interpreter_is_told_again_of_the_last_message_of_what_it_lists(
+    host: Host, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Robot1 is on patrol and says so from 100 s on, ten times a second, until it goes over to inspect at 102 s."""
+    interpreter = Remembering()
+    registered = host.manager.registered
+    found = {"mrta_register_allocation_interpreters": {"mrta_mini": lambda setup: interpreter}}
+    monkeypatch.setattr(host.manager, "registered", lambda hook: found.get(hook) or registered(hook))
+    codec, messages = host.codec(), []
+    for tick in range(21):
+        receipt_ns = 100 * NS + tick * NS // 10
+        header = {"stamp": receipt_ns / NS, "frame_id": "/robot1"}
+        for topic, kind, fields in (
+            ("/robot1/alliance/motivation/patrol", "Motivation", {"task_id": "patrol", "active": True}),
+            (
+                "/alliance/inter_robot_communication",
+                "InterRobotCommunication",
+                {"task_id": "inspect" if tick == 20 else "patrol"},
+            ),
+        ):
+            raw = codec.encode(f"alliance_msgs/{kind}", {"header": header, **fields})
+            messages.append(Stamped(codec.connection(topic, f"alliance_msgs/{kind}"), receipt_ns, raw))
+    observation = Observation(about_three("mrta_mini"), codec, host.manager, None, panels=False)
+    skimming, connections = Skimming(observation), ConnectionList()
+    # By the end of the first block it is known that robot1 says both while it is busy.
+    for part in (messages[:16], messages[16:]):
+        skimming.feed(Block.of(connections, part))
+    told = {topic: [receipt for kind, receipt in interpreter.heard if kind == topic] for topic, _ in interpreter.heard}
+    assert told["patrol"][0] == 100.0
+    assert 101.9 not in told["patrol"]
+    assert told["inter_robot_communication"][-2:] == [101.9, 102.0]
+    assert len(told["inter_robot_communication"]) < 12
 
 
 class Ear:

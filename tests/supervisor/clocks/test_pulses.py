@@ -126,3 +126,12 @@ def test_messages_heard_together_count_as_heard_one_by_one(
         part = times[first : first + together]
         many.hear_together(part, said(part[-1]))
     assert (many.due, many.period, many.last) == (one.due, one.period, one.last)
+
+
+def test_a_pulse_that_quickens_is_missed_earlier_and_says_so() -> None:
+    """Periods of 2 s, then of 0.5 s: three of the mean of 2, 2, 2, 2, 0.5 s are 5.1 s after the last, not 6 s."""
+    pulse = pulse_of([0.0, 2.0, 4.0, 6.0, 8.0])
+    assert (pulse.due, pulse.is_steady) == (14.0, False)
+    assert pulse.hear(8.5, said(8.5))
+    assert pulse.due == 13.6
+    assert pulse.hear(8.55, said(8.55)) is False

@@ -36,8 +36,8 @@ class Beats:
                 idle.setdefault(id(voice.pulse), (voice.pulse, []))[1].append(number)
             elif voice is not None and voice.busy:
                 busy.setdefault(id(voice), (voice, []))[1].append(number)
-        self._idle = [_Places(self._rows(numbers), begin, pulse, None) for pulse, numbers in idle.values()]
-        self._busy = [_Places(self._rows(numbers), begin, None, voice) for voice, numbers in busy.values()]
+        self._idle = [_Places(self._rows(numbers), numbers, begin, pulse, None) for pulse, numbers in idle.values()]
+        self._busy = [_Places(self._rows(numbers), numbers, begin, None, voice) for voice, numbers in busy.values()]
         for places in self._busy:
             pulses = () if places.voice is None else places.voice.busy
             if not all(pulse.says_both for pulse in pulses):
@@ -45,8 +45,13 @@ class Beats:
                 if others:
                     _mark_changes(outlook.news, places.rows, np.concatenate(others))
 
-    def until(self, place: int) -> None:
-        """Take in that the messages up to a place came."""
+    def until(self, place: int) -> List[int]:
+        """Take in that the messages up to a place came.
+
+        Returns:
+            Numbers of the connections whose next message must be taken in by itself, for they are steady no more.
+        """
+        unsteady: List[int] = []
         busy: List[Tuple[int, Voice]] = []
         for places in self._busy:
             begin, end = places.advance(place)
@@ -63,6 +68,9 @@ class Beats:
                 receipts, its = self._outlook.receipts, places.places[begin:end]
                 times = [receipts[each] / _NS for each in its]
                 places.pulse.hear_together(times, heard_of(self._outlook.key(its[-1])))
+                if not places.pulse.is_steady:
+                    unsteady += places.numbers
+        return unsteady
 
     def skip(self, place: int) -> None:
         """Take note that what comes before a place has been taken in in another way."""
@@ -75,11 +83,14 @@ class Beats:
 
 
 class _Places:
-    """Where in the block somebody speaks."""
+    """Where in the block somebody speaks, and on which connections, by number."""
 
-    __slots__ = ("_done", "places", "pulse", "rows", "voice")
+    __slots__ = ("_done", "numbers", "places", "pulse", "rows", "voice")
 
-    def __init__(self, rows: NDArray[np.int64], begin: int, pulse: Optional[Pulse], voice: Optional[Voice]) -> None:
+    def __init__(
+        self, rows: NDArray[np.int64], numbers: List[int], begin: int, pulse: Optional[Pulse], voice: Optional[Voice]
+    ) -> None:
+        self.numbers = numbers
         self.rows = rows
         self.places: List[int] = rows.tolist()
         self.pulse = pulse

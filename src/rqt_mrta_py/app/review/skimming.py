@@ -243,7 +243,7 @@ class Skimming:
         if begin == end:
             return
         if self._beats is not None:
-            self._beats.until(end)
+            self._unsettled[self._beats.until(end)] = True
         outlook, speakers, follow = self._outlook, self._speakers, self._repeats.follow
         for place in outlook.last_ones(begin, end):
             speaker, key = speakers[outlook.numbers[place]], outlook.key(place)

@@ -46,6 +46,7 @@ class Pulse:
         "_busy_until",
         "_grain",
         "_heard_at",
+        "_limit",
         "_message",
         "_spoken",
         "_timeout",
@@ -65,6 +66,7 @@ class Pulse:
         self._beats = 0
         self._spoken = 0.0
         self._between = 0
+        self._limit = math.inf
 
     @property
     def period(self) -> float:
@@ -77,6 +79,11 @@ class Pulse:
         return self._beats >= _REGULAR
 
     @property
+    def is_steady(self) -> bool:
+        """Whether it is missed as soon as its last message counts no more, for it comes often enough."""
+        return self.is_regular and not self.silent and self._limit <= self._timeout
+
+    @property
     def last(self) -> Heard:
         """The newest message that shows that the robot is well."""
         return self._message if self.says_both or self._heard_at >= self._busy_at else self._busy_message
@@ -86,10 +93,9 @@ class Pulse:
         """When it is missed, if nothing comes until then [s]; infinity if it never is."""
         if not self.is_regular or self.silent:
             return math.inf
-        limit = max(self._timeout, _MISSED * self.period)
-        due = self._heard_at + limit
+        due = self._heard_at + self._limit
         if not self.says_both:
-            due = max(due, self._busy_at + limit, self._busy_until)
+            due = max(due, self._busy_at + self._limit, self._busy_until)
         return whole_nanoseconds(due)
 
     def hear(self, now: float, message: Heard) -> bool:
@@ -100,7 +106,7 @@ class Pulse:
             message: it.
 
         Returns:
-            Whether it makes a pulse of what was none, or ends a gap.
+            Whether it makes a pulse of what was none, ends a gap, or lets one begin after a shorter time than before.
         """
         self._message = message
         self._heard_at = now
@@ -113,10 +119,12 @@ class Pulse:
             self._spoken += now - (beat if self.says_both else max(beat, self._busy_at))
         self._beat = now
         self._beats += 1
-        return self.silent or self._beats == _REGULAR
+        limit = self._limit
+        self._learn()
+        return self.silent or self._beats == _REGULAR or self._limit < limit
 
     def hear_together(self, times: Sequence[float], last: Heard) -> None:
-        """Take in messages of the topic as ``hear`` takes them one by one, while it is a pulse without a gap.
+        """Take in messages of the topic as ``hear`` takes them one by one, while it is a steady pulse.
 
         Args:
             times: when they were received, in order [s]; nobody has said meanwhile that the robot is busy, unless it
@@ -140,6 +148,7 @@ class Pulse:
             self._beats += 1
             beat = now
         self._beat = beat
+        self._learn()
         self._heard_at = times[-1]
         self._message = last
 
@@ -160,6 +169,10 @@ class Pulse:
         self._busy_at, self._busy_message = now, message
         self._busy_until = max(until, self._busy_until)
         return not both and (self.silent or self.says_both)
+
+    def _learn(self) -> None:
+        """Learn after what time it is missed."""
+        self._limit = max(self._timeout, _MISSED * self.period)
 
     @property
     def says_both(self) -> bool:

@@ -45,7 +45,7 @@ class Voice(NamedTuple):
         """Whether nothing follows from its next messages but when they came, if they are stamped as they should be."""
         if not self.watch.calm or any(pulse.silent and not pulse.says_both for pulse in self.busy):
             return False
-        return self.pulse is None or (self.pulse.is_regular and not self.pulse.silent)
+        return self.pulse is None or self.pulse.is_steady
 
 
 class Timekeeper:
