@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import dataclasses
 import logging
-from typing import Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple
+from typing import Callable, Dict, List, Mapping, Optional, Sequence
 
 from rqt_mrta_py.app.guard import GuardedMeasure, GuardedPanel, made
+from rqt_mrta_py.app.habit import Habit, is_stamp
 from rqt_mrta_py.app.observers import observers_of
 from rqt_mrta_py.errors import HookError
 from rqt_mrta_py.hooks import (
@@ -41,15 +42,12 @@ from rqt_mrta_py.render.report import fine_panel
 from rqt_mrta_py.supervisor import Attention, Supervisor, team_news, usual_pace
 from rqt_mrta_py.transport import Batch, Dispatcher
 from rqt_mrta_py.transport.patterns import TopicPattern
-from rqt_mrta_py.transport.routes import MetWish
 from rqt_mrta_py.wording import accepted
 
 __all__ = [
     "CURVE_WINDOW",
-    "Habit",
     "Observation",
     "interpreter_for",
-    "is_stamp",
     "measures_for",
     "pace_for",
     "with_measures",
@@ -59,26 +57,6 @@ _log = logging.getLogger("rqt_mrta_py.app")
 
 CURVE_WINDOW = 60.0
 """How much of the past the curves of a monitor picture show [s]."""
-
-
-class Habit(NamedTuple):
-    """How the messages of a connection are heard.
-
-    Attributes:
-        at_once: each must be taken in before any that follows, on whatever topic.
-        each: somebody wants to hear each, though it says nothing new to the supervisor.
-        wakes: whoever does is a rule, which may ask to be woken.
-        timed: the supervisor holds receipts, and stamps if there are any, against one another.
-        said: fields that must differ for it to say anything new; None if it says nothing but that its robot is heard.
-        again: what the interpreter hears, of the last message before anything changes too.
-    """
-
-    at_once: bool
-    each: bool
-    wakes: bool
-    timed: bool
-    said: Optional[Tuple[str, ...]]
-    again: Tuple[MetWish, ...]
 
 
 class Observation:
@@ -134,7 +112,7 @@ class Observation:
         self._attention: Dict[object, Attention] = {}
         for subscription, callback in self.supervisor.listeners():
             attention = self._attention[callback] = self.supervisor.repeats.attention(callback)
-            each = attention not in (Attention.TRAIL, Attention.LAST, Attention.TIMED)
+            each = attention not in (Attention.ECHO, Attention.LAST, Attention.TIMED)
             self._dispatcher.subscribe(subscription, callback, each=each)
             wishes.append(subscription)
         self._read = tuple((TopicPattern(wish.topic), wish) for wish in wishes if wish.topic != EVERYTHING)
@@ -189,15 +167,15 @@ class Observation:
         met, wrong = self._dispatcher.wishes_for(connection)
         attentions = [self._attention.get(each.callback, Attention.EACH) for each in met]
         again = [each for each, attention in zip(met, attentions) if attention is Attention.LAST]
-        trail = [each for each, attention in zip(met, attentions) if attention is Attention.TRAIL]
-        paths = dict.fromkeys(path for each in (*trail, *again) for path in each.paths if not is_stamp(path))
+        echo = [each for each, attention in zip(met, attentions) if attention is Attention.ECHO]
+        paths = dict.fromkeys(path for each in (*echo, *again) for path in each.paths if not is_stamp(path))
         timed = attentions.count(Attention.TIMED)
         return Habit(
             at_once=wrong or Attention.AT_ONCE in attentions or timed > 1,
             each=Attention.EACH in attentions,
             wakes=any(self._attention.get(each.callback) is Attention.EACH for each in met),
             timed=timed == 1,
-            said=tuple(paths) if trail or again else None,
+            said=tuple(paths) if echo or again else None,
             again=tuple(again),
         )
 
@@ -283,11 +261,6 @@ class Observation:
 
     def _on_event(self, event: Event) -> None:
         self._manager.notify("mrta_on_event", event=event)
-
-
-def is_stamp(path: str) -> bool:
-    """Tell whether a field says when a message was sent, in which all messages differ."""
-    return path.rsplit("/", maxsplit=1)[-1] == "stamp"
 
 
 def interpreter_for(mission: Mission, manager: PluginManager) -> Optional[AllocationInterpreter]:

@@ -8,7 +8,7 @@
   tasks
 * ``team``: derives facts; ``robots``, ``tasks``, ``allocations`` keep one thing each, ``timeline`` their histories
 * ``standing``: how a team stands, as another supervisor tells whoever comes late
-* ``agenda``: what falls due when; ``repeats``: messages that only put it off; ``trail``: what one of them does
+* ``agenda``: what falls due when; ``repeats``: messages that only put it off; ``echo``: what one of them does
 * ``copies``: a team that looks ahead without moving on
 * ``clocks``: stamps against receipts, and who falls silent on a topic
 * ``desk``, ``rules``: incidents; ``failures``: plugins that raise on the way
@@ -20,6 +20,7 @@
 
 from __future__ import annotations
 
+from rqt_mrta_py.supervisor.echo import Echo
 from rqt_mrta_py.supervisor.message_key import MessageKey, heard_of
 from rqt_mrta_py.supervisor.news import team_news
 from rqt_mrta_py.supervisor.repeats import Attention
@@ -29,16 +30,15 @@ from rqt_mrta_py.supervisor.summary import event_lines, incident_lines, summary
 from rqt_mrta_py.supervisor.supervisor import Supervisor
 from rqt_mrta_py.supervisor.topics import usual_pace
 from rqt_mrta_py.supervisor.traffic import Traffic, communication, recorded_communication
-from rqt_mrta_py.supervisor.trail import Trail
 
 __all__ = [
     "Attention",
+    "Echo",
     "MessageKey",
     "RobotWatch",
     "Standing",
     "Supervisor",
     "Traffic",
-    "Trail",
     "communication",
     "event_lines",
     "heard_of",

@@ -27,11 +27,11 @@ from rqt_mrta_py.hooks import (
 from rqt_mrta_py.supervisor.agenda import Due, Entry, due_after
 from rqt_mrta_py.supervisor.clocks import Timekeeper, Voice
 from rqt_mrta_py.supervisor.ears import Callback, Ears
+from rqt_mrta_py.supervisor.echo import Echo, Name
 from rqt_mrta_py.supervisor.message_key import MessageKey
 from rqt_mrta_py.supervisor.robots import RobotWatch
 from rqt_mrta_py.supervisor.team import Team
 from rqt_mrta_py.supervisor.topics import Topics
-from rqt_mrta_py.supervisor.trail import Name, Trail
 
 __all__ = ["Attention", "Repeats", "look_again"]
 
@@ -53,7 +53,7 @@ _Pairs = Sequence[Tuple[Subscription, Callback]]
 class Attention(Enum):
     """Which of the messages that repeat one another somebody must hear."""
 
-    TRAIL = "trail"
+    ECHO = "echo"
     """The first, as long as nothing changes of what it speaks of: from others that say the same the same follows."""
     LAST = "last"
     """The first, and the last before anything changes."""
@@ -117,9 +117,9 @@ class Repeats:
         once += [reader.subscription() for reader in (*topics.incoming, *topics.completed, *topics.failed)]
         habitual = frozenset(again) - frozenset(once)
         for wish, callback in ears:
-            self._attention[callback] = Attention.TRAIL if wish in habitual else Attention.AT_ONCE
+            self._attention[callback] = Attention.ECHO if wish in habitual else Attention.AT_ONCE
         for wish, callback in interpreter:
-            known = Attention.TRAIL if last is None or wish not in last else Attention.LAST
+            known = Attention.ECHO if last is None or wish not in last else Attention.LAST
             self._attention[callback] = Attention.AT_ONCE if last is None else known
         self._attention.update((callback, Attention.TIMED) for _, callback in timing)
 
@@ -138,14 +138,14 @@ class Repeats:
         """How often a message said anything that mattered, or would have, had it not been late."""
         return self._facts + self._team.book.late
 
-    def listen(self) -> Trail:
-        """Follow what the next message does, from now until this is called again.
+    def listen(self) -> Echo:
+        """Record what the next message does, from now until this is called again.
 
         Returns:
-            Its trail, to be followed by messages that say the same; but for what they tell an interpreter.
+            What it does, and so messages that say the same; but for what they tell an interpreter.
         """
-        trail = self._team.trail = Trail()
-        return trail
+        echo = self._team.echo = Echo()
+        return echo
 
     def turned(self) -> Optional[Set[Name]]:
         """Tell what has changed since this was last asked.
@@ -160,9 +160,9 @@ class Repeats:
         self._turned = set()
         return turned
 
-    def follow(self, trail: Trail, message: MessageKey) -> None:
+    def follow(self, echo: Echo, message: MessageKey) -> None:
         """Take in a message of which only that follows which followed from one before it."""
-        trail.follow(message, self._team.agenda)
+        echo.follow(message, self._team.agenda)
 
     def tell_again(self, heard: Heard) -> None:
         """Let the interpreter hear a message that says what the one before it said."""

@@ -6,7 +6,7 @@ from typing import Dict, List, Tuple
 
 import pytest
 
-from rqt_mrta_py.app.observation import Habit
+from rqt_mrta_py.app.habit import Habit
 from rqt_mrta_py.app.review.habits import Speaker
 from rqt_mrta_py.app.review.outlook import Outlook
 from rqt_mrta_py.hooks import Connection, Stamped

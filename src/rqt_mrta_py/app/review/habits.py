@@ -7,10 +7,10 @@ from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rqt_mrta_py.app.observation import Habit, is_stamp
+from rqt_mrta_py.app.habit import Habit, is_stamp
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Connection, Heard
-from rqt_mrta_py.supervisor import MessageKey, RobotWatch, Trail
+from rqt_mrta_py.supervisor import Echo, MessageKey, RobotWatch
 from rqt_mrta_py.supervisor.clocks import LEAST_TOLERANCE, Voice
 from rqt_mrta_py.transport import Block, Marker
 
@@ -31,7 +31,7 @@ class Speaker:
         habit: how its messages are heard.
         voice: whose messages they are, if they are timed; None if that is not known so far, or of no robot.
         owner: the robot that is heard by them, whatever they say; None if none is known so far.
-        trail: what its newest message did that was taken in in full; None before there is one.
+        echo: what its newest message did that was taken in in full; None before there is one.
 
     Args:
         connection: see above.
@@ -51,7 +51,7 @@ class Speaker:
                 self.habit = habit._replace(at_once=True)
         self.voice: Optional[Voice] = None
         self.owner: Optional[RobotWatch] = None
-        self.trail: Optional[Trail] = None
+        self.echo: Optional[Echo] = None
         self._told: Dict[Tuple[str, ...], Mapping[str, Any]] = {}
         self._stamp: Optional[int] = None
         self._size = -1
@@ -59,9 +59,9 @@ class Speaker:
         self._layout: NDArray[np.bool_] = np.empty(0, np.bool_)
         self._said: NDArray[np.uint8] = np.empty(0, np.uint8)
 
-    def take(self, trail: Trail) -> None:
+    def take(self, echo: Echo) -> None:
         """Take note that a message was taken in in full, and what it did."""
-        self.trail = trail
+        self.echo = echo
         self._told.clear()
 
     def again(self, block: Block, place: int, message: MessageKey) -> Iterator[Heard]:

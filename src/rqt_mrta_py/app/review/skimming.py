@@ -20,7 +20,7 @@ from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.review.beats import Beats
 from rqt_mrta_py.app.review.habits import Speaker
 from rqt_mrta_py.app.review.outlook import Outlook
-from rqt_mrta_py.supervisor.trail import Name
+from rqt_mrta_py.supervisor.echo import Name
 from rqt_mrta_py.transport import Block, ConnectionList
 
 __all__ = ["Skimming"]
@@ -117,18 +117,18 @@ class Skimming:
             self._observation.pass_over(speaker.connection, missing)
         self._counted[topic] = ordinal + 1
         before = repeats.stirrings
-        trail = repeats.listen()
+        echo = repeats.listen()
         self._observation.feed(outlook.block[place])
         settled = repeats.stirrings == before
         if speaker.habit.timed:
             settled = self._hold_to_voice(number, speaker) and settled
         self._unsettled[number] = not settled
-        if speaker.trail is None or speaker.trail.names != trail.names:
-            for name in () if speaker.trail is None else speaker.trail.names:
+        if speaker.echo is None or speaker.echo.names != echo.names:
+            for name in () if speaker.echo is None else speaker.echo.names:
                 self._speaking[name].discard(number)
-            for name in trail.names:
+            for name in echo.names:
                 self._speaking.setdefault(name, set()).add(number)
-        speaker.take(trail)
+        speaker.take(echo)
         self._followed = self._told = place + 1
         self._limit = None
         if self._beats is not None:
@@ -250,8 +250,8 @@ class Skimming:
             owner = speaker.owner
             if owner is not None:
                 owner.heard_at, owner.last_message = key[1], key
-            if speaker.trail is not None:
-                follow(speaker.trail, key)
+            if speaker.echo is not None:
+                follow(speaker.echo, key)
         self._followed = end
 
     def _meet(self, block: Block) -> None:

@@ -1,4 +1,4 @@
-"""Trails: what a message did that changed nothing, and so what each one does that says the same."""
+"""Echoes: what a message did to the team, and so what each one does that says the same while nothing changes."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from rqt_mrta_py.supervisor.message_key import MessageKey, heard_of
 from rqt_mrta_py.supervisor.robots import RobotWatch
 from rqt_mrta_py.supervisor.tasks import TaskWatch
 
-__all__ = ["Name", "Trail"]
+__all__ = ["Echo", "Name"]
 
 Name = Tuple[str, str]
 """Ids of a robot and a task, for what is between them; of a robot or a task alone the other is empty."""
 
 
-class Trail:
+class Echo:
     """What one message did to the team: it showed robots, and put off what falls due.
 
     As long as nothing changes of what the message speaks of, the next one that says the same does just this again.

@@ -10,10 +10,10 @@ def test_a_message_that_is_followed_keeps_a_robot_busy_and_its_allocation_going(
     stream = Stream()
     stream.busy(100.0, "robot1", "patrol")
     repeats = stream.supervisor.repeats
-    trail = repeats.listen()
+    echo = repeats.listen()
     stream.busy(100.5, "robot1", "patrol")
-    assert trail.names == {("robot1", ""), ("robot1", "patrol"), ("", "patrol")}
-    repeats.follow(trail, (COMMUNICATION, 101.9, 2))
+    assert echo.names == {("robot1", ""), ("robot1", "patrol"), ("", "patrol")}
+    repeats.follow(echo, (COMMUNICATION, 101.9, 2))
     stream.supervisor.let_pass(110.0)
     record = stream.supervisor.finish()
     assert allocations(record) == [("robot1", "patrol", 100.0, 103.9, "lost")]
