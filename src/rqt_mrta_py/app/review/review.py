@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from contextlib import ExitStack
-from functools import partial
 from itertools import takewhile
-from typing import Callable, Tuple
+from typing import Callable, Iterable, Tuple
 
 from rqt_mrta_py.app.compose import Host
 from rqt_mrta_py.app.interrupt import Interrupt
@@ -27,7 +26,7 @@ from rqt_mrta_py.app.review.request import ReviewRequest
 from rqt_mrta_py.app.review.skimming import Skimming
 from rqt_mrta_py.app.review.subject import subject_of
 from rqt_mrta_py.app.review.taking import Taking
-from rqt_mrta_py.hooks import Listener
+from rqt_mrta_py.hooks import Listener, Stamped
 from rqt_mrta_py.model import Mission
 from rqt_mrta_py.supervisor import recorded_communication
 
@@ -95,8 +94,10 @@ def review_bag(
         write_figures(folder, figures)
         heard_ns = start_ns if taking.heard_ns is None else taking.heard_ns
         heard = takewhile(lambda stamped: stamped.receipt_ns <= heard_ns, recordings.messages(excerpt))
-        said = observation.news()
-        stream = partial(with_news, heard, said, codec, recordings.topics)
+
+        def stream() -> Iterable[Stamped]:
+            return with_news(heard, observation.news(), codec, recordings.topics)
+
         write_message_exports(folder, exporters, results.record, stream, patience)
         write_communication(folder, taking.spans, results.record, picture=pictures is not None)
         timings = taking.timings.table([robot.id for robot in results.record.robots])
