@@ -159,6 +159,16 @@ def test_skimming_a_team_that_nobody_listed_changes_nothing(host: Host, seed: in
     assert skimmed(about, host, cut(messages, seed)) == expected
 
 
+@pytest.mark.parametrize("seed", [4, 1022])
+def test_skimming_a_team_with_a_stranger_changes_nothing(host: Host, seed: int) -> None:
+    """Robot3 is none of the mission's. With the second seed robot1 quickens on its topic before it falls silent."""
+    messages = list(Scene(seed, host.codec(), idle_only=True).messages(422))
+    about = about_three("mrta_mini", ROBOTS[:2], TASKS[:2])
+    expected, events = one_by_one(about, host, messages)
+    assert events > 10
+    assert skimmed(about, host, cut(messages, seed)) == expected
+
+
 class Remembering:
     """An interpreter that says nothing, and remembers when robots announced what."""
 
