@@ -1,7 +1,7 @@
 """Wires the rooms together and talks to people.
 
 * ``compose``: registry, plugins, codec: the one place that wires; ``loading``: what it wires
-* ``observation``: supervisor, scene, panels and observers on one stream
+* ``observation``: supervisor, scene, panels and observers on one stream; ``habit``: how they hear a connection
 * ``run``: a simulated run; ``review``: a recorded one; ``salvage_bag``: what is left of one
 * ``nodes``: nodes of a ROS 1 graph, one to a file; ``live``: what they are made of
 * ``compare``: two finished missions side by side

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import dataclasses
 import logging
-from typing import Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple
+from typing import Callable, Dict, List, Mapping, Optional, Sequence
 
 from rqt_mrta_py.app.guard import GuardedMeasure, GuardedPanel, made
+from rqt_mrta_py.app.habit import Habit, is_stamp
 from rqt_mrta_py.app.observers import observers_of
 from rqt_mrta_py.errors import HookError
 from rqt_mrta_py.hooks import (
@@ -43,28 +44,19 @@ from rqt_mrta_py.transport import Batch, Dispatcher
 from rqt_mrta_py.transport.patterns import TopicPattern
 from rqt_mrta_py.wording import accepted
 
-__all__ = ["CURVE_WINDOW", "Habit", "Observation", "interpreter_for", "measures_for", "pace_for", "with_measures"]
+__all__ = [
+    "CURVE_WINDOW",
+    "Observation",
+    "interpreter_for",
+    "measures_for",
+    "pace_for",
+    "with_measures",
+]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
 CURVE_WINDOW = 60.0
 """How much of the past the curves of a monitor picture show [s]."""
-
-
-class Habit(NamedTuple):
-    """How the messages of a connection are heard.
-
-    Attributes:
-        at_once: each must be taken in before any that follows, on whatever topic.
-        each: somebody wants to hear each, though it says nothing new to the supervisor.
-        timed: the supervisor holds receipts, and stamps if there are any, against one another.
-        said: fields that must differ for it to say anything new; None if it says nothing but that its robot is heard.
-    """
-
-    at_once: bool
-    each: bool
-    timed: bool
-    said: Optional[Tuple[str, ...]]
 
 
 class Observation:
@@ -120,7 +112,7 @@ class Observation:
         self._attention: Dict[object, Attention] = {}
         for subscription, callback in self.supervisor.listeners():
             attention = self._attention[callback] = self.supervisor.repeats.attention(callback)
-            each = attention not in (Attention.LAST, Attention.TIMED)
+            each = attention not in (Attention.ECHO, Attention.LAST, Attention.TIMED)
             self._dispatcher.subscribe(subscription, callback, each=each)
             wishes.append(subscription)
         self._read = tuple((TopicPattern(wish.topic), wish) for wish in wishes if wish.topic != EVERYTHING)
@@ -163,7 +155,7 @@ class Observation:
         wishes = [wish for pattern, wish in self._read if pattern.match(connection.topic) is not None]
         if not wishes:
             return None
-        paths = dict.fromkeys(path for wish in wishes for path in wish.fields if path.split("/")[-1] != "stamp")
+        paths = dict.fromkeys(path for wish in wishes for path in wish.fields if not is_stamp(path))
         return self._codec.compile(connection, tuple(paths))
 
     def habit(self, connection: Connection) -> Habit:
@@ -174,34 +166,31 @@ class Observation:
         """
         met, wrong = self._dispatcher.wishes_for(connection)
         attentions = [self._attention.get(each.callback, Attention.EACH) for each in met]
-        last = [each for each, attention in zip(met, attentions) if attention is Attention.LAST]
-        paths = dict.fromkeys(path for each in last for path in each.paths if path.split("/")[-1] != "stamp")
+        again = [each for each, attention in zip(met, attentions) if attention is Attention.LAST]
+        echo = [each for each, attention in zip(met, attentions) if attention is Attention.ECHO]
+        paths = dict.fromkeys(path for each in (*echo, *again) for path in each.paths if not is_stamp(path))
         timed = attentions.count(Attention.TIMED)
         return Habit(
             at_once=wrong or Attention.AT_ONCE in attentions or timed > 1,
             each=Attention.EACH in attentions,
+            wakes=any(self._attention.get(each.callback) is Attention.EACH for each in met),
             timed=timed == 1,
-            said=tuple(paths) if last else None,
+            said=tuple(paths) if echo or again else None,
+            again=tuple(again),
         )
 
-    def glance(self, stamped: Stamped) -> int:
-        """Let those hear the next message of the stream who want each, though it says nothing new to the supervisor.
+    @property
+    def glance(self) -> Callable[[Connection, float, int, bytes], None]:
+        """What lets those hear a message who want each, though it says nothing new to the supervisor.
 
-        Returns:
-            Its ordinal among the messages of its topic.
+        It takes its connection, its receipt [s], its place among the messages of its topic, where it is not counted,
+        and its bytes.
         """
-        return self._dispatcher.glance(stamped, self._reach)
-
-    def ordinals(self, connection: Connection) -> Iterator[int]:
-        """Count the messages of a connection's topic: taking one counts a message that is taken in no other way."""
-        return self._dispatcher.ordinals(connection)
+        return self._dispatcher.glance
 
     def pass_over(self, connection: Connection, messages: int) -> None:
-        """Count messages of a connection's topic that say nothing new, and that nobody else wants to hear."""
+        """Count messages of a connection's topic that are fed in no other way; at least one."""
         self._dispatcher.pass_over(connection, messages)
-
-    def _reach(self, topic: str, receipt: float, ordinal: int) -> None:
-        self.supervisor.repeats.reach((topic, receipt, ordinal))
 
     def feed_batch(self, batch: Batch) -> None:
         """Take in the next messages of the stream."""

@@ -63,8 +63,12 @@ class AllocationInterpreter(Protocol):
     """Reads one architecture's signs.
 
     One with an attribute ``repeats_matter`` that is False may be told of fewer messages: where those of one connection
-    say the same again and again in all fields asked for, and nothing changes meanwhile, only the last before anything
-    does. So reviews are quicker; what follows from a message must then be the same though it be heard twice.
+    say the same again and again in all fields asked for, the first, then the last before anything changes, and each
+    once a robot or task has changed that its answer to the one before spoke of. So reviews are quicker; what follows
+    from a message must then be the same though it be heard twice, and depend on what was said of its own robot and task
+    alone: to one that repeats another the answer counts as known. If its attribute ``last_matters`` lists some of its
+    subscriptions, it is told so of the last of their messages only; those are to be listed of which it remembers when
+    they were heard.
     """
 
     def subscriptions(self) -> Sequence[Subscription]:

@@ -42,6 +42,17 @@ class Hold:
         """When it expires unless renewed, in whole nanoseconds [s]."""
         return whole_nanoseconds(self.until)
 
+    def prolong(self, until: float, heard: Heard) -> None:
+        """Keep it going up to a time [s], unless it has expired.
+
+        Args:
+            until: a plain sum.
+            heard: the message that says so.
+        """
+        if self.expired is None:
+            self.until = max(self.until, until)
+            self.last = heard
+
     def fork(self) -> Hold:
         """Copy this allocation, so that the copy can go on by itself."""
         return Hold(self.robot, self.task, self.start, self.order, self.until, self.last, self.expired, self.heard)

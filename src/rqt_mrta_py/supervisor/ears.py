@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Callable, List, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import (
     AllocationInterpreter,
-    AllocationSign,
     Applicability,
     Connection,
     Heard,
@@ -15,11 +15,12 @@ from rqt_mrta_py.hooks import (
     Subscription,
 )
 from rqt_mrta_py.model import Progress, RobotState, normalise_id
-from rqt_mrta_py.supervisor.failures import checked, failure
+from rqt_mrta_py.supervisor.interpreter_ear import InterpreterEar, Sign
 from rqt_mrta_py.supervisor.joins import JoinTable
 from rqt_mrta_py.supervisor.message_key import MessageKey, key_of
 from rqt_mrta_py.supervisor.presence import Presence
 from rqt_mrta_py.supervisor.readers import TopicReader
+from rqt_mrta_py.supervisor.robots import RobotWatch
 from rqt_mrta_py.supervisor.sightings import Sightings
 from rqt_mrta_py.supervisor.statements import Report, Statements
 from rqt_mrta_py.supervisor.team import Team
@@ -59,13 +60,14 @@ class Ears:
         self._report = report
         self._statements = Statements(team, topics.hold)
         self._sightings = Sightings(team, Presence(team.robots, topics.naming), enter)
+        self._interpreter: Optional[InterpreterEar] = None
 
     def sighting(self, connections: Sequence[Connection]) -> Sighting:
         """Give who is told first of all messages of connections: time passes, and their robots count as heard."""
         return self._sightings.of(connections)
 
-    def owner(self, connection: Connection) -> str:
-        """Give the id of the robot whose messages come on a connection; empty if of none that is known so far."""
+    def owner(self, connection: Connection) -> Optional[RobotWatch]:
+        """Give the robot whose messages come on a connection; None if of none that is known so far."""
         return self._sightings.owner(connection)
 
     def sight_together(self, messages: Sequence[Stamped], ordinals: Sequence[int]) -> None:
@@ -96,32 +98,36 @@ class Ears:
             architecture: its package, for errors.
 
         Raises:
-            HookError: the interpreter raises; names it. So does the callback.
+            HookError: the interpreter raises; names it. So do the callbacks.
         """
         if interpreter is None:
             return ()
-        reads, who = interpreter, f"interpreter of {architecture}"
+        ear = self._interpreter = InterpreterEar(interpreter, architecture, self._come_to, self._take_sign)
+        # Each with a callback of its own, by which they are told apart.
+        return [(wish, partial(ear.hear)) for wish in ear.subscriptions()]
 
-        def hear(heard: Heard) -> None:
-            self._enter(key_of(heard))
-            try:
-                signs = tuple(reads.hear(heard))
-                for sign in signs:
-                    if not isinstance(sign, Applicability):
-                        checked("a sign", sign, AllocationSign)
-            except Exception as error:
-                raise failure(who, error, f"hearing {heard.topic}") from error
-            for sign in signs:
-                self._hear_speaker(sign.robot, heard)
-                if isinstance(sign, Applicability):
-                    self._statements.judged(sign)
-                else:
-                    self._statements.signed(sign, heard)
+    @property
+    def last_matters(self) -> Optional[Sequence[Subscription]]:
+        """Of what the interpreter hears, that of which the last of messages that repeat one another matters.
 
-        try:
-            return [(checked("a wish", wish, Subscription), hear) for wish in interpreter.subscriptions()]
-        except Exception as error:
-            raise failure(who, error, "subscribing") from error
+        None if each of all messages does.
+        """
+        return None if self._interpreter is None else self._interpreter.last_matters
+
+    def hear_again(self, heard: Heard) -> None:
+        """Let the interpreter hear a message that says what the one before it said."""
+        if self._interpreter is not None:
+            self._interpreter.hear_again(heard)
+
+    def _come_to(self, heard: Heard) -> None:
+        self._enter(key_of(heard))
+
+    def _take_sign(self, sign: Sign, heard: Heard) -> None:
+        self._hear_speaker(sign.robot, heard)
+        if isinstance(sign, Applicability):
+            self._statements.judged(sign)
+        else:
+            self._statements.signed(sign, heard)
 
     def _hears_join(self, table: JoinTable) -> Callback:
         def hear(heard: Heard) -> None:
@@ -159,6 +165,7 @@ class Ears:
         def hear(heard: Heard) -> None:
             self._enter(key_of(heard))
             robot_id = reader.robot_of(heard)
+            self._team.speak_of(robot_id)
             robot = self._team.find_robot(robot_id)
             if robot is None:
                 self._statements.wonder_at_robot(robot_id, heard)
@@ -176,6 +183,7 @@ class Ears:
         def hear(heard: Heard) -> None:
             self._enter(key_of(heard))
             robot_id = reader.robot_of(heard)
+            self._team.speak_of(robot_id)
             robot = self._team.find_robot(robot_id)
             if robot is None:
                 self._statements.wonder_at_robot(robot_id, heard)
@@ -228,6 +236,7 @@ class Ears:
 
     def _hear_speaker(self, robot_id: str, heard: Heard) -> None:
         """Count the robot that a message names as heard, unless somebody is known to have sent it."""
+        self._team.speak_of(robot_id)
         robot = None if heard.caller else self._team.find_robot(robot_id)
         if robot is not None:
             self._team.hear(robot, key_of(heard))

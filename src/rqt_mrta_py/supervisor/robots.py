@@ -66,11 +66,17 @@ class RobotWatch:
         Returns:
             The state that the robot is in with this message.
         """
+        self.prolong(state, until)
+        if state is RobotState.BUSY:
+            return RobotState.BUSY
+        return RobotState.IDLE if self.state is RobotState.OFFLINE else self.state
+
+    def prolong(self, state: RobotState, until: float) -> None:
+        """Take in a busy or idle message of a robot that is in the state in which it leaves it; arguments as above."""
         if state is RobotState.BUSY:
             self.busy_until = max(self.busy_until, until)
-            return RobotState.BUSY
-        self.idle_until = max(self.idle_until, until)
-        return RobotState.IDLE if self.state is RobotState.OFFLINE else self.state
+        elif until > self.idle_until:
+            self.idle_until = until
 
     def state_after(self, time: float) -> RobotState:
         """Give the state from the time on at which the present one falls due [s]; BUSY never follows by itself."""

@@ -38,10 +38,9 @@ class Sightings:
         """
         return self._of_one(connections[0]) if len(connections) == 1 else self._of_several(connections)
 
-    def owner(self, connection: Connection) -> str:
-        """Give the id of the robot whose messages come on a connection; empty if of none that is known so far."""
-        robot = self._presence.owner(connection)
-        return "" if robot is None else robot.id
+    def owner(self, connection: Connection) -> Optional[RobotWatch]:
+        """Give the robot whose messages come on a connection; None if of none that is known so far."""
+        return self._presence.owner(connection)
 
     def together(self, messages: Sequence[Stamped], ordinals: Sequence[int]) -> None:
         """Take in that messages came, while all robots are heard, nothing is to be settled and nothing falls due.

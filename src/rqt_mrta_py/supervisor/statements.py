@@ -69,6 +69,7 @@ class Statements:
                 late, and does not begin it again.
         """
         team = self._team
+        team.speak_of(robot_id, task_id)
         hold = team.book.find(robot_id, task_id)
         if hold is not None and hold.expired is None:
             team.prolong(hold, timeout, heard)
@@ -96,6 +97,7 @@ class Statements:
             heard: the message.
         """
         team = self._team
+        team.speak_of(sign.robot, sign.task)
         known = team.tasks.get(sign.task) if sign.outcome is Outcome.DONE else None
         if known is not None:
             self._tell_end(sign.robot, known, TaskState.DONE, heard)
@@ -115,6 +117,7 @@ class Statements:
     def judged(self, sign: Applicability) -> None:
         """Take in whether a robot can carry out a task now, as an architecture's own message says."""
         team = self._team
+        team.speak_of(sign.robot, sign.task)
         if sign.task in team.tasks and (not sign.robot or sign.robot in team.robots):
             team.tell(TaskApplicability(team.now, sign.robot, sign.task, sign.applicable))
 

@@ -115,7 +115,7 @@ class Supervisor:
         """
         ears, timing = self._ears.listeners(), self._timekeeper.listeners()
         interpreter = self._ears.listeners_for(self._interpreter, self._mission.architecture.package)
-        self.repeats.sort(ears, interpreter, timing, getattr(self._interpreter, "repeats_matter", True))
+        self.repeats.sort(ears, interpreter, timing, self._ears.last_matters)
         pairs = [*ears, *interpreter, *timing]
         for name, rule in self._rules.items():
             pairs += [(wish, self._hears_rule(name)) for wish in _wishes(name, rule)]

@@ -30,6 +30,7 @@ from rqt_mrta_py.model import (
 from rqt_mrta_py.supervisor.agenda import Agenda, Due, due_after
 from rqt_mrta_py.supervisor.allocations import AllocationBook, Hold
 from rqt_mrta_py.supervisor.copies import Copies, watches_in
+from rqt_mrta_py.supervisor.echo import Echo
 from rqt_mrta_py.supervisor.message_key import MessageKey, evidence
 from rqt_mrta_py.supervisor.robots import RobotWatch
 from rqt_mrta_py.supervisor.tasks import TaskWatch, state_when_held
@@ -67,6 +68,9 @@ class Team:
     Args:
         setup: who and what is watched.
         emit: takes each fact, and why it is so in a few words, or an empty text.
+
+    Attributes:
+        echo: is told what a message does that may change nothing; None if nobody asks.
     """
 
     def __init__(self, setup: TeamSetup, emit: Callable[[Fact, str], None]) -> None:
@@ -79,6 +83,7 @@ class Team:
         self.robots: Dict[str, RobotWatch] = {}
         self.tasks: Dict[str, TaskWatch] = {}
         self.book = AllocationBook()
+        self.echo: Optional[Echo] = None
 
     def begin(self, start: float) -> None:
         """Begin with the time of the stream's first message [s]."""
@@ -109,10 +114,17 @@ class Team:
             task = self._admit_task(task_id)
         return task
 
+    def speak_of(self, robot_id: str, task_id: str = "") -> None:
+        """Take in that a message speaks of a robot, or of a task and what a robot has to do with it, known or not."""
+        if self.echo is not None:
+            self.echo.speak_of(robot_id, task_id)
+
     def hear(self, robot: RobotWatch, message: MessageKey) -> None:
         """Take in that a message of a robot came, on whatever topic."""
         robot.heard_at = self.now
         robot.last_message = message
+        if self.echo is not None:
+            self.echo.show(robot)
         if robot.silent:
             robot.silent = False
             self.agenda.put(due_after(self.now, self._setup.silence), robot.order, (Due.SILENCE, robot.id, ""))
@@ -123,6 +135,8 @@ class Team:
     def renew(self, robot: RobotWatch, state: RobotState, timeout: float) -> None:
         """Take in that a robot is busy or idle now, and for how long this counts [s]."""
         after = robot.renew(state, self.now + timeout)
+        if self.echo is not None:
+            self.echo.renew(robot, state, timeout)
         if after is not robot.state:
             said = None if robot.last_heard is None else Evidence(*robot.last_message)
             self._change_robot(robot, after, self.now, said)
@@ -178,6 +192,8 @@ class Team:
     def hold_anonymously(self, task: TaskWatch, timeout: float) -> None:
         """Take in that somebody holds a task, nobody knows who, and for how long this counts [s]."""
         task.anonymous_until = max(task.anonymous_until, due_after(self.now, timeout))
+        if self.echo is not None:
+            self.echo.hold_anonymously(task, timeout)
         self.agenda.put(task.anonymous_until, task.order, (Due.ALLOCATION, "", task.id))
         self.update_task(task)
 
@@ -200,9 +216,9 @@ class Team:
 
     def prolong(self, hold: Hold, timeout: float, heard: Heard) -> None:
         """Keep an allocation going for a while [s], unless it has expired."""
-        if hold.expired is None:
-            hold.until = max(hold.until, self.now + timeout)
-            hold.last = heard
+        hold.prolong(self.now + timeout, heard)
+        if self.echo is not None:
+            self.echo.prolong(hold, timeout)
 
     def end(
         self,

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from functools import partial
 from itertools import count, islice
-from typing import Any, Callable, Dict, Iterator, List, Mapping, Sequence, Set, Tuple
+from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Set, Tuple
 
 from rqt_mrta_py.errors import TransportError
 from rqt_mrta_py.hooks import Codec, Connection, Heard, Sighting, Stamped, Subscription
@@ -11,7 +12,7 @@ from rqt_mrta_py.transport.batch import Batch
 from rqt_mrta_py.transport.fitting import reader_for
 from rqt_mrta_py.transport.line_ups import LineUps
 from rqt_mrta_py.transport.patterns import TopicPattern, resolve_topic
-from rqt_mrta_py.transport.routes import Complaint, MetWish, Route, Wish
+from rqt_mrta_py.transport.routes import Complaint, MetWish, Reading, Route, Wish
 
 __all__ = ["Dispatcher"]
 
@@ -90,29 +91,20 @@ class Dispatcher:
         route = self._route(connection)
         return route.met, bool(route.complaints)
 
-    def glance(self, stamped: Stamped, ahead: Callable[[str, float, int], None]) -> int:
+    def glance(self, connection: Connection, receipt: float, ordinal: int, raw: bytes) -> None:
         """Hand one message that says nothing new to those who want each; nobody is told that it came.
 
         Args:
-            stamped: the next message of the stream.
-            ahead: is told its topic, receipt [s] and ordinal before anybody hears it.
-
-        Returns:
-            The ordinal.
+            connection: how it came.
+            receipt: when it was received [s].
+            ordinal: its place among the messages of its topic; it is not counted here.
+            raw: its bytes.
         """
-        connection, receipt_ns, raw = stamped
         route = self._by_identity.get(id(connection)) or self._route(connection)
-        receipt, ordinal = receipt_ns / 1_000_000_000, next(route.ordinals)
-        ahead(connection.topic, receipt, ordinal)
-        self._hand_on(route, route.each, receipt, ordinal, raw)
-        return ordinal
-
-    def ordinals(self, connection: Connection) -> Iterator[int]:
-        """Count the messages of a connection's topic: taking one counts a message that is handed on in no other way."""
-        return self._route(connection).ordinals
+        self._hand_on(route, route.glance, receipt, ordinal, raw)
 
     def pass_over(self, connection: Connection, messages: int) -> None:
-        """Count messages of a connection's topic that nobody wants to hear."""
+        """Count messages of a connection's topic that are handed on in no other way; at least one."""
         next(islice(self._route(connection).ordinals, messages - 1, None))
 
     def feed_all(
@@ -172,25 +164,32 @@ class Dispatcher:
         for sight in route.sightings:
             sight(receipt, (ordinal,))
         if route.met:
-            self._hand_on(route, route.met, receipt, ordinal, raw)
+            self._hand_on(route, route.reading, receipt, ordinal, raw)
 
     def _hear(self, route: Route, receipt: float, ordinal: int, raw: bytes) -> None:
         """Hand on one message of which those who watch are told at another time."""
         if route.complaints:
             self._complain_first(route, receipt, ordinal)
         if route.met:
-            self._hand_on(route, route.met, receipt, ordinal, raw)
+            self._hand_on(route, route.reading, receipt, ordinal, raw)
 
-    def _hand_on(self, route: Route, met: Sequence[MetWish], receipt: float, ordinal: int, raw: bytes) -> None:
+    def _hand_on(self, route: Route, reading: Reading, receipt: float, ordinal: int, raw: bytes) -> None:
         """Hand one message to those who hear it; who wants the same of it is handed the same."""
         connection = route.connection
         topic, type_name, caller = connection.topic, connection.type, connection.caller
         made: Dict[Tuple[str, ...], Heard] = {}
-        for callback, robot, task, paths, reader, wish in met:
+        reader, picks = reading
+        values: Optional[Tuple[Any, ...]] = None
+        for callback, robot, task, paths, choose, wish in picks:
             heard = made.get(paths)
             if heard is None:
                 try:
-                    fields = _NOTHING if reader is None else dict(zip(paths, reader(raw)))
+                    if choose is None or reader is None:
+                        fields = _NOTHING
+                    else:
+                        if values is None:
+                            values = reader(raw)
+                        fields = dict(zip(paths, choose(values)))
                 except TransportError as error:
                     heard = Heard(topic, type_name, receipt, _NOTHING, robot, task, caller, ordinal)
                     self._complain(wish, connection, heard, f"{topic}: {error}")
@@ -244,7 +243,9 @@ class Dispatcher:
             else:
                 met.append(MetWish(wish.callback, tokens[0], tokens[1], paths, reader, wish))
         route.met = tuple(met)
-        route.each = tuple(each for each in met if each.wish.each)
+        compile_paths = partial(self._codec.compile, connection)
+        route.reading = Reading.of(met, compile_paths)
+        route.glance = Reading.of([each for each in met if each.wish.each], compile_paths)
         route.reads = any(wish.reader is not None for wish in met)
         route.sightings = tuple([sighting((connection,)) for sighting in self._watchers])
         return route

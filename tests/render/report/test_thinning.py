@@ -49,3 +49,9 @@ def test_no_point_is_farther_from_the_lines_than_the_tolerance(steps: List[Tuple
             for column, tolerance in zip(columns, (5.0, 20.0)):
                 line = column[before] + share * (column[after] - column[before])
                 assert abs(line - column[at]) <= tolerance * (1 + 1e-9) + 1e-9
+
+
+@given(STEPS)
+def test_one_column_has_the_corners_of_two_that_are_alike(steps: List[Tuple[float, float, float]]) -> None:
+    times, column = list(accumulate(step[0] for step in steps)), [step[1] for step in steps]
+    assert corners(times, (column,), (5.0,)) == corners(times, (column, column), (5.0, 5.0))

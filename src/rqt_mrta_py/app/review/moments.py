@@ -37,8 +37,11 @@ class Moments:
         self._start_ns: Optional[int] = None
         self._number = 0
 
-    def parts(self, block: Block) -> Iterator[Block]:
-        """Cut a block where pictures are due, and draw them once what comes before has been taken in."""
+    def cuts(self, block: Block) -> Iterator[int]:
+        """Give places up to which a block is to be taken in before more is asked for, the last one behind its end.
+
+        Pictures that are due there are drawn then.
+        """
         if self._start_ns is None and len(block):
             self._start_ns = int(block.receipts[0])
         place = 0
@@ -46,7 +49,7 @@ class Moments:
             self.until(int(block.receipts[place]))
             upto = int(np.searchsorted(block.receipts, self._next_ns, "right"))
             upto = max(upto, place + 1)
-            yield block.part(slice(place, upto))
+            yield upto
             place = upto
 
     def until(self, receipt_ns: int) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from contextlib import ExitStack
 from dataclasses import replace
-from functools import partial
 from itertools import takewhile
 from typing import Callable, Iterable, Iterator, Tuple
 
@@ -98,7 +97,10 @@ def review_bag(
             figures = figures_of(makers, results.record)
         write_figures(folder, figures)
         heard = _heard(recordings.messages(excerpt), start_ns if taking.heard_ns is None else taking.heard_ns)
-        stream = partial(with_news, heard, observation.news(), codec, recordings.topics)
+
+        def stream() -> Iterable[Stamped]:
+            return with_news(heard, observation.news(), codec, recordings.topics)
+
         write_message_exports(folder, exporters, results.record, stream, patience)
         write_communication(folder, taking.spans, results.record, picture=pictures is not None)
         timings = hosts.table(taking.timings, [robot.id for robot in results.record.robots])

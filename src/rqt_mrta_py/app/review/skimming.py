@@ -1,34 +1,35 @@
 """How the messages of a bag are taken in: in full only those that may change something.
 
-Nearly all messages of a mission repeat what the ones before them said. Up to the next thing that falls due, or the next
-message that says something new, the last one of each connection stands for all of them; those that somebody wants to
-hear one by one are handed to him alone. What follows is the same as if each had been taken in: the tests hold one
-against the other.
+Nearly all messages of a mission repeat what the ones before them said. What such a one does is known: it shows a robot,
+and puts off what falls due. So up to the next message that says something new, or that something falls due in spite of
+all that was said, only the last one of each connection is followed, and an interpreter hears it; those that somebody
+wants to hear one by one are handed to him alone. What comes of it is the same as if each had been taken in: the tests
+hold one against the other.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Any, Dict, Iterator, List, Mapping, Set
+from bisect import bisect_left, bisect_right
+from typing import Dict, List, Optional, Set
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rqt_mrta_py.app.observation import Observation
+from rqt_mrta_py.app.review.beats import Beats
 from rqt_mrta_py.app.review.habits import Speaker
-from rqt_mrta_py.hooks import Heard
-from rqt_mrta_py.transport import Block
+from rqt_mrta_py.app.review.outlook import Outlook
+from rqt_mrta_py.supervisor.echo import Name
+from rqt_mrta_py.transport import Block, ConnectionList
 
 __all__ = ["Skimming"]
 
 _NS = 1_000_000_000
-_NOTHING: Mapping[str, Any] = {}
-_new_heard = tuple.__new__
-"""Makes a Heard without a call of Python code."""
 _GRAIN = 512
 """Receipts as float seconds are this exact, and a little worse [ns]."""
-_ENOUGH = 256
-"""Where nothing falls due for so many messages, it is not looked whether something has been put off."""
+_WINDOW = 512
+"""So many messages are looked at together for the next one that matters."""
 
 
 class Skimming:
@@ -42,160 +43,216 @@ class Skimming:
         self._observation = observation
         self._supervisor = observation.supervisor
         self._repeats = observation.supervisor.repeats
+        self._glance_at = observation.glance
         self._speakers: List[Speaker] = []
+        # Messages by topic: those met, and those that the observation has counted.
+        self._met: Dict[str, int] = {}
+        self._counted: Dict[str, int] = {}
         # By number of the connection.
-        self._topics: Dict[str, int] = {}
-        self._by_voice: Dict[int, Set[int]] = {}
-        self._topic: NDArray[np.int64] = np.empty(0, np.int64)
-        self._owners: List[str] = []
-        self._at_once: NDArray[np.bool_] = np.empty(0, np.bool_)
         self._each: NDArray[np.bool_] = np.empty(0, np.bool_)
-        self._timed: NDArray[np.bool_] = np.empty(0, np.bool_)
-        self._ordinals: List[Iterator[int]] = []
-        self._says: NDArray[np.bool_] = np.empty(0, np.bool_)
-        # At which turn of things a message was last taken in that changed nothing; -1 if the last one did.
-        self._settled: NDArray[np.int64] = np.empty(0, np.int64)
         self._unsettled: NDArray[np.bool_] = np.empty(0, np.bool_)
-        self._turns = -1
-        self._robots = -1
+        # Who has anything to do with a robot that is waited for; None if there is no such robot.
+        self._awaited: Optional[NDArray[np.bool_]] = None
+        # Of which connections the newest message speaks of something.
+        self._speaking: Dict[Name, Set[int]] = {}
+        self._by_voice: Dict[int, Set[int]] = {}
         self._newest = -1
+        # Of the block: up to where messages have been taken in, been followed, and been told again.
+        self._place = self._followed = self._told = 0
+        self._beats: Optional[Beats] = None
+        self._limit: Optional[float] = None
+        self._begin(Outlook(Block.of(ConnectionList(), ()), (), {}))
 
     def feed(self, block: Block) -> None:
         """Take in the next messages of the stream."""
-        self._meet(block)
-        numbers = block.numbers
-        news = self._news(block) | self._at_once[numbers]
-        if len(block) and int(block.receipts[0]) < self._newest:
-            # Of a bag whose index tells its times wrongly: what comes late counts as received with what came before.
-            news[:] = True
-        listed, new = numbers.tolist(), news.tolist()
-        place, count = 0, len(block)
-        while place < count:
-            self._settle()
-            if new[place] or self._unsettled[listed[place]]:
-                self._take(block, place, listed[place])
-                place += 1
-                continue
-            end = self._quiet_end(block, place, news)
-            if end > place + 1:
-                self._take_together(block, place, end)
-                place = end
-            else:
-                self._take(block, place, listed[place])
-                place += 1
-        if count:
-            self._newest = max(self._newest, int(block.receipts[-1]))
+        self.look(block)
+        self.advance(len(block))
 
-    def _take(self, block: Block, place: int, number: int) -> None:
+    def look(self, block: Block) -> None:
+        """Look at the next messages of the stream, to be taken in by ``advance``; all before have been."""
+        self._meet(block)
+        outlook = Outlook(block, self._speakers, self._met)
+        if len(block):
+            if outlook.receipts[0] < self._newest:
+                # Of a bag whose index tells its times wrongly: what comes late counts as received with the one before.
+                outlook.news[:] = True
+            self._newest = max(self._newest, outlook.receipts[-1])
+        self._begin(outlook)
+
+    def advance(self, upto: int) -> None:
+        """Take in the messages of the block up to a place."""
+        place = self._place
+        if place >= upto:
+            return
+        while place < upto:
+            self._settle()
+            if self._beats is None:
+                self._beats = Beats(self._outlook, place)
+            end = self._quiet_end(place, upto)
+            if end > place:
+                place = self._glance(place, end)
+            else:
+                self._catch_up(place)
+                self._take(place)
+                place += 1
+        self._catch_up(place)
+        self._repeats.reach(self._outlook.key(place - 1))
+        self._place = place
+
+    def _begin(self, outlook: Outlook) -> None:
+        self._outlook = outlook
+        self._place = self._followed = self._told = 0
+        self._beats = self._limit = None
+        numbers = outlook.block.numbers
+        self._glances: List[int] = np.flatnonzero(self._each[numbers]).tolist() if self._each.any() else []
+
+    def _take(self, place: int) -> None:
         """Take in one message in full."""
-        repeats = self._repeats
-        before = repeats.stirrings
-        self._observation.feed(block[place])
-        settled = repeats.stirrings == before
+        outlook, repeats = self._outlook, self._repeats
+        number = outlook.numbers[place]
         speaker = self._speakers[number]
+        topic, ordinal = speaker.connection.topic, outlook.ordinals[place]
+        missing = ordinal - self._counted.get(topic, 0)
+        if missing:
+            self._observation.pass_over(speaker.connection, missing)
+        self._counted[topic] = ordinal + 1
+        before = repeats.stirrings
+        echo = repeats.listen()
+        self._observation.feed(outlook.block[place])
+        settled = repeats.stirrings == before
         if speaker.habit.timed:
-            voice = speaker.voice = repeats.voice
-            if voice is not None:
-                its = self._by_voice.setdefault(id(voice), set())
-                its.add(number)
-                if not voice.watch.calm:
-                    # Whoever is in doubt hears of all that this robot says there.
-                    settled = False
-                    self._settled[list(its)] = -1
-                    self._unsettled[list(its)] = True
-        self._settled[number] = repeats.turns if settled else -1
+            settled = self._hold_to_voice(number, speaker) and settled
         self._unsettled[number] = not settled
+        if speaker.echo is None or speaker.echo.names != echo.names:
+            for name in () if speaker.echo is None else speaker.echo.names:
+                self._speaking[name].discard(number)
+            for name in echo.names:
+                self._speaking.setdefault(name, set()).add(number)
+        speaker.take(echo)
+        self._followed = self._told = place + 1
+        self._limit = None
+        if self._beats is not None:
+            self._beats.skip(place + 1)
+
+    def _hold_to_voice(self, number: int, speaker: Speaker) -> bool:
+        """Take note whose message came; tell whether nothing is in doubt of how that robot speaks."""
+        voice = self._repeats.voice
+        if voice is not speaker.voice:
+            speaker.voice, self._beats = voice, None
+        if voice is None:
+            return True
+        its = self._by_voice.setdefault(id(voice), set())
+        its.add(number)
+        if not voice.watch.calm:
+            # Whoever is in doubt hears of all that this robot says there.
+            self._unsettled[list(its)] = True
+        return voice.is_steady
 
     def _settle(self) -> None:
         """Look whose next message must be taken in, where anything has changed."""
-        repeats = self._repeats
-        if repeats.turns == self._turns:
+        turned = self._repeats.turned()
+        if turned is None:
+            for speaker in self._speakers:
+                speaker.owner = self._repeats.owner(speaker.connection)
+            self._unsettled[:] = True
+        elif turned:
+            for name in turned:
+                self._unsettled[list(self._speaking.get(name, ()))] = True
+        else:
             return
-        self._turns = repeats.turns
-        if repeats.robots != self._robots:
-            self._robots = repeats.robots
-            self._owners = [repeats.owner(speaker.connection) for speaker in self._speakers]
-        stale = self._settled < np.where(self._says, self._turns, 0)
-        silent = repeats.silent_robots
-        if silent:
-            stale |= np.array([owner in silent for owner in self._owners], np.bool_)
-        self._unsettled = stale
+        awaited = self._repeats.awaited
+        self._awaited = None
+        if awaited:
+            owners = [speaker.owner is not None and speaker.owner.id in awaited for speaker in self._speakers]
+            self._awaited = np.array(owners, np.bool_)
+            for robot in awaited:
+                self._awaited[list(self._speaking.get((robot, ""), ()))] = True
 
-    def _quiet_end(self, block: Block, place: int, news: NDArray[np.bool_]) -> int:
+    def _quiet_end(self, place: int, upto: int) -> int:
         """Say up to which message nothing follows from any but the last of each connection."""
-        receipts = block.receipts
-        enough = int(receipts[min(place + _ENOUGH, len(block) - 1)])
-        limit = self._repeats.quiet_until(enough / _NS)
-        if limit == -math.inf:
+        outlook = self._outlook
+        if outlook.news[place] or self._unsettled[outlook.numbers[place]]:
             return place
-        end = len(block)
-        if limit < math.inf:
-            end = int(np.searchsorted(receipts, int(limit * _NS) - _GRAIN, "right"))
-        if end <= place:
-            return place
-        matters = news[place:end] | self._unsettled[block.numbers[place:end]]
+        if self._limit is None:
+            self._limit = self._repeats.quiet_until
+        if self._is_due(place):
+            self._put_off(place)
+            self._limit = self._repeats.quiet_until
+            if self._is_due(place):
+                self._let_pass(place)
+                if self._matters(place, place + 1)[0] or self._is_due(place):
+                    return place
+        end = min(upto, place + _WINDOW)
+        if self._limit < math.inf:
+            end = bisect_right(outlook.receipts, int(self._limit * _NS) - _GRAIN, place, end)
+        matters = self._matters(place, end)
         first = int(matters.argmax())
         return place + first if matters[first] else end
 
-    def _take_together(self, block: Block, begin: int, end: int) -> None:
-        """Take in messages that say nothing new: the last of each connection in full, others where somebody asks."""
-        observation, repeats, supervisor = self._observation, self._repeats, self._supervisor
-        numbers = block.numbers[begin:end]
-        last = np.zeros(len(self._speakers), np.int64)
-        last[numbers] = np.arange(begin, end)
-        final = last[numbers] == np.arange(begin, end)
-        needed = final | self._each[numbers] | self._timed[numbers]
-        passed = np.flatnonzero(~needed)
-        skipped: Dict[int, List[int]] = {}
-        if len(passed):
-            topics = self._topic[numbers]
-            for place, topic in zip(passed.tolist(), topics[passed].tolist()):
-                skipped.setdefault(topic, []).append(place)
-        finals, each, listed = final.tolist(), self._each, numbers.tolist()
-        receipts = block.receipts[begin:end].tolist()
-        due = supervisor.next_due
-        for offset in np.flatnonzero(needed).tolist():
-            number = listed[offset]
-            if not finals[offset]:
-                speaker = self._speakers[number]
-                if each[number]:
-                    ordinal = observation.glance(block[begin + offset])
-                    due = supervisor.next_due
-                else:
-                    ordinal = next(self._ordinals[number])
-                if speaker.voice is None:
-                    continue
-                topic, receipt = speaker.connection.topic, receipts[offset] / _NS
-                if receipt > due:
-                    repeats.reach((topic, receipt, ordinal))
-                    due = supervisor.next_due
-                heard = _new_heard(Heard, (topic, speaker.connection.type, receipt, _NOTHING, "", "", "", ordinal))
-                if repeats.hear_again(speaker.voice, heard):
-                    due = supervisor.next_due
-                continue
-            stamped = block[begin + offset]
-            if skipped:
-                before = skipped.get(int(self._topic[numbers[offset]]))
-                if before:
-                    count = sum(place < offset for place in before)
-                    if count:
-                        observation.pass_over(stamped.connection, count)
-                        del before[:count]
-            observation.feed(stamped)
-            due = supervisor.next_due
+    def _matters(self, place: int, end: int) -> NDArray[np.bool_]:
+        """Tell which messages between two places must be taken in in full."""
+        numbers = self._outlook.block.numbers[place:end]
+        matters = self._outlook.news[place:end] | self._unsettled[numbers]
+        return matters if self._awaited is None else matters | self._awaited[numbers]
 
-    def _news(self, block: Block) -> NDArray[np.bool_]:
-        """Tell which messages say something else than the one before them on their connection."""
-        news = np.zeros(len(block), np.bool_)
-        if not len(block):
-            return news
-        order = np.argsort(block.numbers, kind="stable")
-        ordered = block.numbers[order]
-        edges = [0, *(np.flatnonzero(np.diff(ordered)) + 1).tolist(), len(order)]
-        for first, last in zip(edges[:-1], edges[1:]):
-            rows = order[first:last]
-            news[rows] = self._speakers[int(ordered[first])].news(block, rows)
-        return news
+    def _is_due(self, place: int) -> bool:
+        """Tell whether something may fall due before a message."""
+        limit = self._limit
+        return limit is not None and limit < math.inf and not self._outlook.receipts[place] <= limit * _NS - _GRAIN
+
+    def _glance(self, place: int, end: int) -> int:
+        """Hand messages between two places to those who want to hear each; answer up to where nothing falls due."""
+        glances, outlook = self._glances, self._outlook
+        if not glances:
+            return end
+        glance, numbers, receipts, ordinals = self._glance_at, outlook.numbers, outlook.receipts, outlook.ordinals
+        content, begins, ends = outlook.block.content, outlook.begins, outlook.ends
+        for each in glances[bisect_left(glances, place) : bisect_left(glances, end)]:
+            speaker = self._speakers[numbers[each]]
+            raw = content[begins[each] : ends[each]]
+            glance(speaker.connection, receipts[each] / _NS, ordinals[each], raw)
+            if speaker.habit.wakes and self._limit is not None and self._supervisor.next_due < self._limit:
+                self._limit = None
+                return each + 1
+        return end
+
+    def _put_off(self, place: int) -> None:
+        """Let messages up to a place put off what falls due, and look when that is."""
+        self._follow(place)
+        self._repeats.look_again()
+
+    def _let_pass(self, place: int) -> None:
+        """Let happen what falls due before a message."""
+        self._catch_up(place)
+        self._repeats.reach(self._outlook.key(place))
+        self._settle()
+        self._limit = self._repeats.quiet_until
+
+    def _catch_up(self, place: int) -> None:
+        """Take in the messages up to a place, from which nothing follows but from the last of each connection."""
+        self._follow(place)
+        outlook = self._outlook
+        for each in outlook.last_again(self._told, place):
+            for heard in self._speakers[outlook.numbers[each]].again(outlook.block, each, outlook.key(each)):
+                self._repeats.tell_again(heard)
+        self._told = place
+
+    def _follow(self, end: int) -> None:
+        """Do what messages up to a place do that say what the ones before them said."""
+        begin = self._followed
+        if begin == end:
+            return
+        if self._beats is not None:
+            self._unsettled[self._beats.until(end)] = True
+        outlook, speakers, follow = self._outlook, self._speakers, self._repeats.follow
+        for place in outlook.last_ones(begin, end):
+            speaker, key = speakers[outlook.numbers[place]], outlook.key(place)
+            owner = speaker.owner
+            if owner is not None:
+                owner.heard_at, owner.last_message = key[1], key
+            if speaker.echo is not None:
+                follow(speaker.echo, key)
+        self._followed = end
 
     def _meet(self, block: Block) -> None:
         """Take note of connections that were not known before."""
@@ -203,15 +260,10 @@ class Skimming:
         if not fresh:
             return
         added = [Speaker(connection, self._observation.habit(connection)) for connection in fresh]
+        for speaker in added:
+            speaker.owner = self._repeats.owner(speaker.connection)
         self._speakers += added
-        self._topic = np.append(
-            self._topic, [self._topics.setdefault(each.topic, len(self._topics)) for each in fresh]
-        ).astype(np.int64)
-        self._at_once = np.append(self._at_once, [each.habit.at_once for each in added]).astype(np.bool_)
-        self._ordinals += [self._observation.ordinals(each) for each in fresh]
-        self._timed = np.append(self._timed, [each.habit.timed for each in added]).astype(np.bool_)
         self._each = np.append(self._each, [each.habit.each for each in added]).astype(np.bool_)
-        self._says = np.append(self._says, [each.habit.said is not None for each in added]).astype(np.bool_)
-        self._settled = np.append(self._settled, [-1] * len(added)).astype(np.int64)
         self._unsettled = np.append(self._unsettled, [True] * len(added)).astype(np.bool_)
-        self._turns = self._robots = -1
+        if self._awaited is not None:
+            self._awaited = np.append(self._awaited, [True] * len(added)).astype(np.bool_)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Callable, Iterable, Optional, Sequence
+from typing import Callable, Iterable, Optional
 
 from rqt_mrta_py.app.interrupt import Interrupt
 from rqt_mrta_py.app.review.moments import Moments
@@ -52,11 +52,14 @@ class Taking:
         for block in blocks:
             if self._interrupt.requested:
                 return
-            whole: Sequence[Block] = (block,)
-            for part in whole if self._pictures is None else self._pictures.parts(block):
-                with self._patience.at_work(f"the review at {(int(part.receipts[0]) - start_ns) / _NS:g} s"):
-                    self._skimming.feed(part)
-                self.heard_ns = int(part.receipts[-1])
+            place = 0
+            for upto in (len(block),) if self._pictures is None else self._pictures.cuts(block):
+                with self._patience.at_work(f"the review at {(int(block.receipts[place]) - start_ns) / _NS:g} s"):
+                    if not place:
+                        self._skimming.look(block)
+                    self._skimming.advance(upto)
+                place = upto
+                self.heard_ns = int(block.receipts[place - 1])
                 progress((self.heard_ns - start_ns) / _NS)
                 if self._interrupt.requested:
                     break

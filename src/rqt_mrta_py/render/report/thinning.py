@@ -26,6 +26,8 @@ def corners(times: Sequence[float], columns: Sequence[Sequence[float]], toleranc
     count = len(times)
     if count <= 2:
         return list(range(count))
+    if len(columns) == 1:
+        return _corners_of_one(times, columns[0], tolerances[0])
     chosen = [0]
     anchor, at = 0, 1
     lows, highs = [-math.inf] * len(columns), [math.inf] * len(columns)
@@ -43,6 +45,31 @@ def corners(times: Sequence[float], columns: Sequence[Sequence[float]], toleranc
         at = anchor + 1
         chosen.append(anchor)
         lows, highs = [-math.inf] * len(columns), [math.inf] * len(columns)
+    if chosen[-1] != count - 1:
+        chosen.append(count - 1)
+    return chosen
+
+
+def _corners_of_one(times: Sequence[float], values: Sequence[float], tolerance: float) -> List[int]:
+    """Do the same for one column, as all curves are, of which a page may have a hundred."""
+    count = len(times)
+    chosen = [0]
+    anchor, at = 0, 1
+    time, value, low, high = times[0], values[0], -math.inf, math.inf
+    while at < count:
+        span = times[at] - time
+        if span > 0.0:
+            rise = values[at] - value
+            if low <= rise / span <= high:
+                least, most = (rise - tolerance) / span, (rise + tolerance) / span
+                low = max(low, least)
+                high = min(high, most)
+                at += 1
+                continue
+        anchor = at - 1 if at > anchor + 1 else at
+        at = anchor + 1
+        chosen.append(anchor)
+        time, value, low, high = times[anchor], values[anchor], -math.inf, math.inf
     if chosen[-1] != count - 1:
         chosen.append(count - 1)
     return chosen

@@ -13,7 +13,8 @@ from __future__ import annotations
 
 from rqt_mrta_py.supervisor.clocks.leads import LEAST_TOLERANCE
 from rqt_mrta_py.supervisor.clocks.pairs import clock_pairs
+from rqt_mrta_py.supervisor.clocks.pulses import Pulse
 from rqt_mrta_py.supervisor.clocks.table import Timings, timing_document
 from rqt_mrta_py.supervisor.clocks.timekeeper import Timekeeper, Voice
 
-__all__ = ["LEAST_TOLERANCE", "Timekeeper", "Timings", "Voice", "clock_pairs", "timing_document"]
+__all__ = ["LEAST_TOLERANCE", "Pulse", "Timekeeper", "Timings", "Voice", "clock_pairs", "timing_document"]

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
+from typing import Sequence
 
 from rqt_mrta_py.hooks import Heard
 from rqt_mrta_py.supervisor.agenda import whole_nanoseconds
@@ -44,6 +46,7 @@ class Pulse:
         "_busy_until",
         "_grain",
         "_heard_at",
+        "_limit",
         "_message",
         "_spoken",
         "_timeout",
@@ -63,6 +66,7 @@ class Pulse:
         self._beats = 0
         self._spoken = 0.0
         self._between = 0
+        self._limit = math.inf
 
     @property
     def period(self) -> float:
@@ -75,19 +79,23 @@ class Pulse:
         return self._beats >= _REGULAR
 
     @property
+    def is_steady(self) -> bool:
+        """Whether it is missed as soon as its last message counts no more, for it comes often enough."""
+        return self.is_regular and not self.silent and self._limit <= self._timeout
+
+    @property
     def last(self) -> Heard:
         """The newest message that shows that the robot is well."""
-        return self._message if self._says_both or self._heard_at >= self._busy_at else self._busy_message
+        return self._message if self.says_both or self._heard_at >= self._busy_at else self._busy_message
 
     @property
     def due(self) -> float:
         """When it is missed, if nothing comes until then [s]; infinity if it never is."""
         if not self.is_regular or self.silent:
             return math.inf
-        limit = max(self._timeout, _MISSED * self.period)
-        due = self._heard_at + limit
-        if not self._says_both:
-            due = max(due, self._busy_at + limit, self._busy_until)
+        due = self._heard_at + self._limit
+        if not self.says_both:
+            due = max(due, self._busy_at + self._limit, self._busy_until)
         return whole_nanoseconds(due)
 
     def hear(self, now: float, message: Heard) -> bool:
@@ -98,7 +106,7 @@ class Pulse:
             message: it.
 
         Returns:
-            Whether it makes a pulse of what was none, or ends a gap.
+            Whether it makes a pulse of what was none, ends a gap, or lets one begin after a shorter time than before.
         """
         self._message = message
         self._heard_at = now
@@ -108,10 +116,41 @@ class Pulse:
         if self.silent:
             self._spoken += self.period
         elif self._beats:
-            self._spoken += now - (beat if self._says_both else max(beat, self._busy_at))
+            self._spoken += now - (beat if self.says_both else max(beat, self._busy_at))
         self._beat = now
         self._beats += 1
-        return self.silent or self._beats == _REGULAR
+        limit = self._limit
+        self._learn()
+        return self.silent or self._beats == _REGULAR or self._limit < limit
+
+    def hear_together(self, times: Sequence[float], last: Heard) -> None:
+        """Take in messages of the topic as ``hear`` takes them one by one, while it is a steady pulse.
+
+        Args:
+            times: when they were received, in order [s]; nobody has said meanwhile that the robot is busy, unless it
+                says both.
+            last: the last of them.
+        """
+        if not times:
+            return
+        beat, grain, place = self._beat, self._grain, 0
+        while True:
+            # Whether a message belongs to the beat is decided by the difference, as it is for one alone.
+            place = bisect_left(times, beat + grain, place)
+            while place and not times[place - 1] - beat < grain:
+                place -= 1
+            while place < len(times) and times[place] - beat < grain:
+                place += 1
+            if place == len(times):
+                break
+            now = times[place]
+            self._spoken += now - (beat if self.says_both else max(beat, self._busy_at))
+            self._beats += 1
+            beat = now
+        self._beat = beat
+        self._learn()
+        self._heard_at = times[-1]
+        self._message = last
 
     def hear_busy(self, now: float, until: float, message: Heard) -> bool:
         """Take in that the robot says that it is busy.
@@ -124,13 +163,18 @@ class Pulse:
         Returns:
             Whether it ends a gap, or shows that the robot may be missed though it says this.
         """
-        both = self._says_both
+        both = self.says_both
         if self._busy_at < self._heard_at and now < self._busy_until:
             self._between += 1
         self._busy_at, self._busy_message = now, message
         self._busy_until = max(until, self._busy_until)
-        return not both and (self.silent or self._says_both)
+        return not both and (self.silent or self.says_both)
+
+    def _learn(self) -> None:
+        """Learn after what time it is missed."""
+        self._limit = max(self._timeout, _MISSED * self.period)
 
     @property
-    def _says_both(self) -> bool:
+    def says_both(self) -> bool:
+        """Whether it was heard to say that it is idle while it is busy."""
         return self._between >= _LEARNED

@@ -41,9 +41,11 @@ class Voice(NamedTuple):
     timeout: float
 
     @property
-    def is_missed(self) -> bool:
-        """Whether there is a gap that its next message ends."""
-        return (self.pulse is not None and self.pulse.silent) or any(pulse.silent for pulse in self.busy)
+    def is_steady(self) -> bool:
+        """Whether nothing follows from its next messages but when they came, if they are stamped as they should be."""
+        if not self.watch.calm or any(pulse.silent and not pulse.says_both for pulse in self.busy):
+            return False
+        return self.pulse is None or self.pulse.is_steady
 
 
 class Timekeeper:
@@ -130,27 +132,6 @@ class Timekeeper:
                     self._note(pulse, heard)
 
         return hear
-
-    def hear_again(self, voice: Voice, now: float, heard: Heard) -> bool:
-        """Take in a message that says what the one before it said, with a stamp within the tolerance.
-
-        Args:
-            voice: whose.
-            now: when it was received [s]; nothing has fallen due before.
-            heard: it, without its fields.
-
-        Returns:
-            Whether ``next_due`` may have changed.
-        """
-        noted = False
-        if voice.pulse is not None and voice.pulse.hear(now, heard):
-            self._note(voice.pulse, heard)
-            noted = True
-        for pulse in voice.busy:
-            if pulse.hear_busy(now, now + voice.timeout, heard):
-                self._note(pulse, heard)
-                noted = True
-        return noted
 
     def _meet(self, reader: TopicReader, heard: Heard) -> Optional[Voice]:
         """Find out whose message it is; None if of no robot of the team."""

@@ -100,7 +100,7 @@ class ChunkReader:
         contents: List[bytes] = []
         plain = True
         shift = 0
-        parts: List[NDArray[Any]] = []
+        parts: List[bytes] = []
         # Of each part: number of the connection, entries, how far the content is shifted, where the chunk ends there.
         columns: List[Tuple[int, int, int, int]] = []
         for chunk in chunks:
@@ -122,11 +122,10 @@ class ChunkReader:
             for _ in chunk.counts:
                 number, first, position = self._index(region, position)
                 if number in self._numbers:
-                    part = np.frombuffer(region, _ENTRY, (position - first) // _ENTRY.itemsize, first)
-                    parts.append(part)
-                    columns.append((number, len(part), its_shift, limit))
+                    parts.append(region[first:position])
+                    columns.append((number, (position - first) // _ENTRY.itemsize, its_shift, limit))
         content = region if plain else b"".join(contents)
-        entries = np.concatenate(parts) if parts else np.empty(0, _ENTRY)
+        entries = np.frombuffer(b"".join(parts), _ENTRY)
         if not len(entries):
             return content, None
         table = np.array(columns, np.int64)

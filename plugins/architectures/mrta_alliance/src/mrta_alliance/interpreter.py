@@ -32,6 +32,8 @@ class AllianceInterpreter:
 
     # What a message says of one robot and one task holds until another one says it differently.
     repeats_matter = False
+    # Who announced what when is remembered; what motivations say counts whenever it was said.
+    last_matters = (_SUBSCRIPTIONS[1],)
 
     def __init__(self, setup: InterpreterSetup) -> None:
         """Start knowing nothing; robots and tasks need not be known beforehand."""
