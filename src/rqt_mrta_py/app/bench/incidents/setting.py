@@ -1,0 +1,71 @@
+"""Settings: a kind of yard, an architecture, a seed; and the missions that they make."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Mapping, NamedTuple, Tuple
+
+from rqt_mrta_py.app.bench.incidents.yards import EXPECTED_DURATION, SENTINEL, YARDS, YardKind, write_yard
+from rqt_mrta_py.hooks import Experiment
+from rqt_mrta_py.model import ScenarioEvent, ScenarioEventKind
+
+__all__ = ["ALLIANCE", "ARCHITECTURES", "BASELINES", "DEMIR_CF", "DURATIONS", "L_ALLIANCE", "NEAREST_ROBOT", "Setting"]
+
+ALLIANCE, L_ALLIANCE = "mrta_alliance", "mrta_l_alliance"
+DEMIR_CF = "mrta_demir_cf"
+NEAREST_ROBOT, BASELINES = "nearest_robot", "mrta_baselines"
+
+ARCHITECTURES = (ALLIANCE, L_ALLIANCE, DEMIR_CF, NEAREST_ROBOT, BASELINES)
+
+DURATIONS: Mapping[YardKind, float] = {YardKind.WATCH: 64.0, YardKind.ERRANDS: 80.0, YardKind.ARRIVALS: 92.0}
+"""Of missions [s]."""
+
+_ARRIVAL_PERIOD = 13.0
+"""Between two tasks that come up [s]: as long as the longest way takes, so that all robots are free again."""
+
+_LAST = 0.5
+
+
+class Setting(NamedTuple):
+    """A mission before anything happens in it.
+
+    Attributes:
+        kind: of the yard.
+        architecture: package.
+        seed: of the yard, and of the mission.
+    """
+
+    kind: YardKind
+    architecture: str
+    seed: int
+
+    def experiment(self, folder: Path) -> Experiment:
+        """Make the mission.
+
+        Args:
+            folder: where yards are; that of this setting is written if need be.
+        """
+        experiment = Experiment(
+            write_yard(folder, self.kind, self.seed),
+            self.seed,
+            architecture=self.architecture,
+            duration=DURATIONS[self.kind],
+            world="planar",
+            events=_events(self.kind),
+        )
+        if self.architecture == ALLIANCE and self.kind is YardKind.ERRANDS:
+            # ALLIANCE's robots are told expected durations themselves, and are patient by them once, not twice.
+            told = f"behaviour_sets/behaviour_set@index@/task_expected_duration={2.0 * EXPECTED_DURATION}"
+            experiment = replace(experiment, settings=(told,))
+        return experiment
+
+
+def _events(kind: YardKind) -> Tuple[ScenarioEvent, ...]:
+    appears = ScenarioEventKind.TASK_APPEARS
+    if kind is YardKind.ARRIVALS:
+        later = enumerate(YARDS[kind].tasks[1:], 1)
+        return tuple(ScenarioEvent(number * _ARRIVAL_PERIOD, appears, task=task) for number, task in later)
+    if YARDS[kind].sentinel:
+        return (ScenarioEvent(DURATIONS[kind] - _LAST, appears, task=SENTINEL),)
+    return ()
