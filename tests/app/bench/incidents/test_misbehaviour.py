@@ -145,13 +145,14 @@ def test_who_never_begins_does_nothing_and_claims_nothing() -> None:
 
 
 def test_what_is_held_back_comes_late_in_order_and_with_its_stamps() -> None:
+    """By 0 s at 2 s, 0.5 s at 3 s, and 1 s from 4 s on."""
     agent = changed(HoldsBack("robot1", 2.0, 1.0))
     stamps = []
-    for now in (1.0, 2.0, 2.5, 3.0, 3.6):
+    for now in (1.0, 2.0, 3.0, 3.4, 3.5, 4.0, 4.2, 5.0):
         messages = agent.step(situation(now)).messages
         stamps.append([message.fields["stamp"] for message in messages if isinstance(message, Outgoing)])
 
-    assert stamps == [[1.0], [], [], [2.0], [2.5]]
+    assert stamps == [[1.0], [2.0], [], [], [3.0], [], [3.4], [3.5, 4.0]]
 
 
 def test_dear_tasks_cost_more_in_turns() -> None:

@@ -18,7 +18,7 @@ from rqt_mrta_py.app.bench.incidents.yards import YardKind
 
 __all__ = ["FAULTS", "RULES", "faults_for"]
 
-_WATCH, _ERRANDS, _ARRIVALS = YardKind.WATCH, YardKind.ERRANDS, YardKind.ARRIVALS
+_WATCH, _ERRANDS, _DEADLINES, _ARRIVALS = YardKind
 
 _FREE = (ALLIANCE, L_ALLIANCE, DEMIR_CF, NEAREST_ROBOT)
 """Under these a robot that is free takes what another has left; the baselines deal tasks once."""
@@ -31,9 +31,9 @@ FAULTS: Tuple[Fault, ...] = (
     Fault("all_able_stop", Place.WORLD, ("task_held_by_nobody", "robot_silent_with_task"),
           "all robots that can carry out a task stop", _WATCH, _FREE, world.all_able_stop),
     Fault("everybody_slows", Place.WORLD, ("duration_overrun",), "all robots slow down to next to nothing",
-          _ERRANDS, (ALLIANCE, DEMIR_CF, NEAREST_ROBOT, BASELINES), world.everybody_slows),
+          _DEADLINES, (ALLIANCE, DEMIR_CF, NEAREST_ROBOT, BASELINES), world.everybody_slows),
     Fault("holder_sticks", Place.WORLD, ("duration_overrun",), "a robot with a task is stuck",
-          _ERRANDS, (NEAREST_ROBOT, BASELINES), world.holder_sticks),
+          _DEADLINES, (BASELINES,), world.holder_sticks),
     Fault("change_their_minds", Place.WORLD, ("flipping_allocation",), "operators give a task to and fro",
           _WATCH, ARCHITECTURES, world.change_their_minds),
     Fault("estimate_in_turns", Place.WORLD, ("flipping_allocation",), "two robots find a task dear in turns",
@@ -61,7 +61,9 @@ FAULTS: Tuple[Fault, ...] = (
     Fault("silent_topic", Place.WIRE, ("topic_gap",), "a robot says nothing on its idle topics",
           _WATCH, (ALLIANCE, L_ALLIANCE, DEMIR_CF), wire.silent_topic),
     Fault("holds_another", Place.WIRE, ("robot_with_two_tasks",), "a robot claims a second task",
-          _WATCH, ARCHITECTURES, wire.holds_another),
+          _WATCH, (ALLIANCE, L_ALLIANCE, NEAREST_ROBOT, BASELINES), wire.holds_another),
+    Fault("leaps", Place.WIRE, ("flipping_allocation",), "a robot claims two tasks in turns, each instead of the other",
+          _WATCH, (DEMIR_CF,), wire.leaps),
     Fault("busy_with_nothing", Place.WIRE, ("busy_without_task",), "a robot says that it works, and not on what",
           _WATCH, ARCHITECTURES, wire.busy_with_nothing),
     Fault("goes_on", Place.WIRE, ("illegal_state_change",), "a robot goes on with a task that it has done",

@@ -55,7 +55,11 @@ _EXAMPLES: Dict[str, float] = {"border_patrol": 60.0, "cleanup": 90.0, "target_v
 
 
 def _troubled(folder: Path, seeds: Sequence[int]) -> Iterator[Harmless]:
-    kinds = list(product((YardKind.WATCH, YardKind.ERRANDS), _TROUBLES, ARCHITECTURES))
+    kinds = [
+        (kind, trouble, architecture)
+        for kind, trouble, architecture in product(_KINDS, _TROUBLES, ARCHITECTURES)
+        if (kind, trouble) != (YardKind.ERRANDS, _LOSSY)
+    ]
     for number, seed in enumerate(seeds):
         # In large steps, for neighbours in the list are alike.
         kind, trouble, architecture = kinds[number * _STEP % len(kinds)]
@@ -65,7 +69,12 @@ def _troubled(folder: Path, seeds: Sequence[int]) -> Iterator[Harmless]:
         yield Harmless(f"{kind.value} under {architecture}, seed {seed}: {trouble}", experiment)
 
 
-_STEP = 7
+_KINDS = (YardKind.WATCH, YardKind.ERRANDS)
+
+_LOSSY = "one message in twenty lost"
+"""Does harm where tasks end: under ALLIANCE, who has not heard that a task is done does it again."""
+
+_STEP = 8
 """Has no factor in common with the number of kinds of missions, so that all of them come."""
 
 
@@ -105,6 +114,6 @@ _TROUBLES: Mapping[str, Callable[[Experiment, Sequence[str], np.random.Generator
     "clocks a bit off": _clocks_off,
     "robots a bit slow": _robots_slow,
     "messages a bit late": _radio_late,
-    "one message in twenty lost": _radio_lossy,
+    _LOSSY: _radio_lossy,
 }
-"""4 kinds in 2 yards under 5 architectures: 40 missions until one comes again, with another seed."""
+"""7 pairs of trouble and yard under 5 architectures: 35 missions until one comes again, with another seed."""

@@ -230,7 +230,7 @@ class HoldsBack:
     Attributes:
         robot: whose.
         start: from when on [s].
-        delay: how late [s].
+        delay: how late in the end; it grows by half a second a second, so that nothing is silent meanwhile [s].
     """
 
     robot: str
@@ -252,7 +252,8 @@ class _Late(_Agent):
         decision = self.agent.step(situation)
         if situation.now < self._told.start:
             return decision
-        self._waiting.append((situation.now + self._told.delay, decision.messages))
+        delay = min(self._told.delay, 0.5 * (situation.now - self._told.start))
+        self._waiting.append((situation.now + delay, decision.messages))
         said: List[AnyOutgoing] = []
         while self._waiting and self._waiting[0][0] <= situation.now + 1e-6:
             said.extend(self._waiting.popleft()[1])

@@ -54,8 +54,9 @@ def worker_cut_off(calm: CalmMission, random: np.random.Generator) -> Optional[S
     robot = calm.robots[int(random.integers(len(calm.robots)))]
     time = pick(random, 4.0, 9.0)
     label = Label("task_completed_twice", time, calm.end, names(robot))
-    further = tuple(
-        Allowance(rule, _DEAF, 1.0, names(robot))
-        for rule in ("task_completed_twice", "illegal_state_change", "task_held_by_two_robots")
+    further = (
+        Allowance("task_completed_twice", _DEAF, 1.0, names(robot)),
+        Allowance("task_held_by_two_robots", _DEAF, time, names(robot)),
+        Allowance("illegal_state_change", "nobody hears of a task's end on the other side", time),
     )
     return Strike((label,), (event(time, ScenarioEventKind.RADIO_FAILS, robot),), allowances=further)

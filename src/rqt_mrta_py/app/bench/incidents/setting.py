@@ -18,13 +18,27 @@ NEAREST_ROBOT, BASELINES = "nearest_robot", "mrta_baselines"
 
 ARCHITECTURES = (ALLIANCE, L_ALLIANCE, DEMIR_CF, NEAREST_ROBOT, BASELINES)
 
-DURATIONS: Mapping[YardKind, float] = {YardKind.WATCH: 64.0, YardKind.ERRANDS: 80.0, YardKind.ARRIVALS: 92.0}
+DURATIONS: Mapping[YardKind, float] = {
+    YardKind.WATCH: 64.0,
+    YardKind.ERRANDS: 80.0,
+    YardKind.DEADLINES: 80.0,
+    YardKind.ARRIVALS: 92.0,
+}
 """Of missions [s]."""
 
-_ARRIVAL_PERIOD = 13.0
+_ARRIVAL_PERIOD = 15.0
 """Between two tasks that come up [s]: as long as the longest way takes, so that all robots are free again."""
 
 _LAST = 0.5
+
+_BEHAVIOUR_SET = "behaviour_sets/behaviour_set@index@/"
+
+_TOLD = (
+    "spin_rate=1",
+    f"{_BEHAVIOUR_SET}motivational_behaviour/impatience/fast_rate=5",
+    f"{_BEHAVIOUR_SET}task_expected_duration={2.0 * EXPECTED_DURATION}",
+)
+"""ALLIANCE's robots are patient with others for as many cycles as these expect a task to take [s]."""
 
 
 class Setting(NamedTuple):
@@ -54,10 +68,8 @@ class Setting(NamedTuple):
             world="planar",
             events=_events(self.kind),
         )
-        if self.architecture == ALLIANCE and self.kind is YardKind.ERRANDS:
-            # ALLIANCE's robots are told expected durations themselves, and are patient by them once, not twice.
-            told = f"behaviour_sets/behaviour_set@index@/task_expected_duration={2.0 * EXPECTED_DURATION}"
-            experiment = replace(experiment, settings=(told,))
+        if self.architecture == ALLIANCE and self.kind is YardKind.DEADLINES:
+            experiment = replace(experiment, settings=_TOLD)
         return experiment
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Callable, Optional
+from typing import Callable, Optional, Tuple
 
 import numpy as np
 
@@ -28,6 +28,7 @@ __all__ = [
     "goes_on",
     "holds_another",
     "late_words",
+    "leaps",
     "misspelt_task",
     "nobody_begins",
     "silent_topic",
@@ -41,16 +42,13 @@ def holds_another(calm: CalmMission, random: np.random.Generator) -> Optional[St
     """Let a robot that holds a task claim another one too."""
     time = pick(random, 20.0, 28.0)
     end = time + calm.pace.handover + pick(random, 2.0, 8.0)
-    held = calm.holds(time - 3.0, end + 3.0)
-    if not held:
-        return None
-    hold = held[int(random.integers(len(held)))]
-    others = [task.id for task in calm.mission.tasks if task.id != hold.task]
-    task = others[int(random.integers(len(others)))]
-    agents = AlsoSays(hold.robot, claim(calm.claim, hold.robot, task), time, end)
-    label = Label("robot_with_two_tasks", time, end, names(hold.robot), names(hold.task, task))
-    shared = Allowance("task_held_by_two_robots", "another robot holds the other task", time, names(hold.robot))
-    return Strike((label,), agents=agents, allowances=(shared,))
+    return _holds_another(calm, random, "robot_with_two_tasks", time, end)
+
+
+def leaps(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
+    """Let a robot that holds a task claim another one too, where every claim is instead of the one before."""
+    time = pick(random, 20.0, 28.0)
+    return _holds_another(calm, random, "flipping_allocation", time, time + pick(random, 12.0, 20.0))
 
 
 def busy_with_nothing(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
@@ -120,11 +118,11 @@ def silent_topic(calm: CalmMission, random: np.random.Generator) -> Optional[Str
 
 
 def late_words(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
-    """Let what a robot's agent says come late, by more than is tolerated and less than it counts."""
+    """Let what a robot's agent says come later and later, up to more than is tolerated."""
     time = pick(random, 15.0, 25.0)
     robot = calm.robots[int(random.integers(len(calm.robots)))]
     delay = pick(random, 1.3, 1.7) * calm.tolerance
-    label = Label("message_from_the_past", time, time + delay + 6.0, names(robot))
+    label = Label("message_from_the_past", time, time + 2.0 * delay + 6.0, names(robot))
     return Strike((label,), agents=HoldsBack(robot, time, delay))
 
 
@@ -164,6 +162,25 @@ def completes_again(calm: CalmMission, random: np.random.Generator) -> Optional[
         Label("task_completed_twice", hold.end - 0.5, hold.end + after + 1.0, who, what),
     )
     return Strike(labels, agents=GoesOn(hold.robot, hold.task, said))
+
+
+def _holds_another(
+    calm: CalmMission, random: np.random.Generator, rule: str, time: float, end: float
+) -> Optional[Strike]:
+    held = calm.holds(time - 3.0, end + 3.0)
+    if not held:
+        return None
+    hold = held[int(random.integers(len(held)))]
+    others = [task.id for task in calm.mission.tasks if task.id != hold.task]
+    task = others[int(random.integers(len(others)))]
+    agents = AlsoSays(hold.robot, claim(calm.claim, hold.robot, task), time, end)
+    tasks = names(hold.task, task)
+    if rule == "robot_with_two_tasks":
+        labels: Tuple[Label, ...] = (Label(rule, time, end, names(hold.robot), tasks),)
+    else:
+        labels = tuple(Label(rule, time, end, names(hold.robot), names(each)) for each in sorted(tasks))
+    shared = Allowance("task_held_by_two_robots", "another robot holds the other task", time, names(hold.robot))
+    return Strike(labels, agents=agents, allowances=(shared,))
 
 
 def _said_by_stranger(calm: CalmMission, random: np.random.Generator, saying: Callable[[str], Saying]) -> Strike:

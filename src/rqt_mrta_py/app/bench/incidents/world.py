@@ -27,6 +27,8 @@ __all__ = [
 
 _SETTLED = 20.0
 """By then everybody has found something to do, if there is anything; a stamp [s]."""
+_DECISECONDS = tuple(round(0.1 * number, 1) for number in range(40, 280))
+"""When tasks are begun that are overdue before their mission ends; stamps [s]."""
 _RARE = YARDS[YardKind.WATCH].rare[0]
 
 
@@ -77,10 +79,11 @@ def all_able_stop(calm: CalmMission, random: np.random.Generator) -> Optional[St
 
 def everybody_slows(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
     """Slow all robots down to next to nothing, while each of them holds a task."""
-    time = pick(random, 8.0, 18.0)
-    held = calm.holds(time - 0.5, time + 1.5)
-    if {hold.robot for hold in held} != set(calm.robots):
+    times = [time for time in _DECISECONDS if len(calm.holds(time - 0.5, time + 1.5)) == len(calm.robots)]
+    if not times:
         return None
+    time = times[int(random.integers(len(times)))]
+    held = calm.holds(time - 0.5, time + 1.5)
     factor = pick(random, 0.01, 0.03)
     events = tuple(event(time, ScenarioEventKind.ROBOT_SLOWS, robot, factor=factor) for robot in calm.robots)
     return _overruns(calm, held, events)
@@ -93,7 +96,9 @@ def holder_sticks(calm: CalmMission, random: np.random.Generator) -> Optional[St
     if not held:
         return None
     hold = _one_of(held, random)
-    return _overruns(calm, [hold], (event(time, ScenarioEventKind.ROBOT_STICKS, hold.robot),))
+    others = names(*(robot for robot in calm.robots if robot != hold.robot))
+    blocked = Allowance("duration_overrun", "the stuck robot stands in the way", time, others)
+    return _overruns(calm, [hold], (event(time, ScenarioEventKind.ROBOT_STICKS, hold.robot),), blocked)
 
 
 def change_their_minds(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
@@ -130,7 +135,11 @@ def estimate_in_turns(calm: CalmMission, random: np.random.Generator) -> Optiona
     turns = pick(random, 0.5, 0.8) * calm.pace.brief
     agents = Estimates(everybody, 1000.0, turns, names(*others), time, hold.task)
     label = Label("flipping_allocation", time, calm.end, names(hold.robot), names(hold.task))
-    return Strike((label,), agents=agents)
+    further = (
+        Allowance(label.rule, "who holds another task is cheaper for once, and leaves that one", time),
+        Allowance("unequal_share", "every time it is the same robot that is not dear", time - 15.0, everybody),
+    )
+    return Strike((label,), agents=agents, allowances=further)
 
 
 def others_dear(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
@@ -141,7 +150,9 @@ def others_dear(calm: CalmMission, random: np.random.Generator) -> Optional[Stri
     return Strike((label,), agents=Estimates(others, pick(random, 50.0, 500.0)))
 
 
-def _overruns(calm: CalmMission, held: List[Allocation], events: Tuple[ScenarioEvent, ...]) -> Optional[Strike]:
+def _overruns(
+    calm: CalmMission, held: List[Allocation], events: Tuple[ScenarioEvent, ...], *allowances: Allowance
+) -> Optional[Strike]:
     labels = []
     tasks = {task.id: task for task in calm.mission.tasks}
     for hold in held:
@@ -150,7 +161,7 @@ def _overruns(calm: CalmMission, held: List[Allocation], events: Tuple[ScenarioE
         if expected is None or due > calm.end - 3.0:
             return None
         labels.append(Label("duration_overrun", due - 0.5, due + 2.0, names(hold.robot), names(hold.task)))
-    return Strike(tuple(labels), events)
+    return Strike(tuple(labels), events, allowances=allowances)
 
 
 def _one_of(held: List[Allocation], random: np.random.Generator) -> Allocation:

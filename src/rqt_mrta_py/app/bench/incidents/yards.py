@@ -5,22 +5,22 @@ from __future__ import annotations
 import math
 from enum import Enum
 from pathlib import Path
-from typing import Dict, List, Mapping, NamedTuple, Tuple
+from typing import Dict, List, Mapping, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
 __all__ = ["EXPECTED_DURATION", "SENTINEL", "YARDS", "Yard", "YardKind", "write_yard"]
 
-EXPECTED_DURATION = 22.0
-"""Of each task that ends [s]; the longest way takes 12 s, and a third more where robots meet."""
+EXPECTED_DURATION = 25.0
+"""Of each task that ends [s]; the longest way takes 15 s, and longer where robots meet."""
 
 SENTINEL = "evening"
 """A task that appears as a mission ends: without it, the mission would end when all others are done."""
 
-_HALF_LENGTH = 3.5
-_HALF_WIDTH = 2.5
 _MARGIN = 0.6
 _APART = 0.9
+_BESIDE = (0.5, 0.9)
+"""How far a task comes up from the robot that it comes up beside [m]."""
 
 
 class YardKind(Enum):
@@ -28,11 +28,13 @@ class YardKind(Enum):
 
     * ``watch``: three tasks that never end, for five robots, of which two alone can carry out the third.
     * ``errands``: six tasks that end, for three robots.
-    * ``arrivals``: tasks that end and come one at a time, for five robots.
+    * ``deadlines``: the same, and robots are told how long tasks take, if they can be.
+    * ``arrivals``: tasks that end and come up one at a time, for five robots, beside one robot after another.
     """
 
     WATCH = "watch"
     ERRANDS = "errands"
+    DEADLINES = "deadlines"
     ARRIVALS = "arrivals"
 
 
@@ -45,6 +47,8 @@ class Yard(NamedTuple):
         perpetual: whether they never end.
         rare: the tasks that only the first two robots can carry out.
         sentinel: whether the task SENTINEL is there too.
+        size: length and width [m].
+        beside: whether tasks lie beside robots, one after another; else they lie anywhere.
     """
 
     robots: int
@@ -52,6 +56,8 @@ class Yard(NamedTuple):
     perpetual: bool = False
     rare: Tuple[str, ...] = ()
     sentinel: bool = False
+    size: Tuple[float, float] = (7.0, 5.0)
+    beside: bool = False
 
     @property
     def robot_ids(self) -> Tuple[str, ...]:
@@ -64,10 +70,13 @@ class Yard(NamedTuple):
         return (*self.tasks, SENTINEL) if self.sentinel else self.tasks
 
 
+_ERRANDS = Yard(3, ("bread", "coal", "letter", "milk", "salt", "wine"), sentinel=True)
+
 YARDS: Mapping[YardKind, Yard] = {
     YardKind.WATCH: Yard(5, ("gate", "tower", "vault"), perpetual=True, rare=("vault",)),
-    YardKind.ERRANDS: Yard(3, ("bread", "coal", "letter", "milk", "salt", "wine"), sentinel=True),
-    YardKind.ARRIVALS: Yard(5, ("first", "second", "third", "fourth", "fifth", "sixth", "seventh")),
+    YardKind.ERRANDS: _ERRANDS,
+    YardKind.DEADLINES: _ERRANDS,
+    YardKind.ARRIVALS: Yard(5, ("first", "second", "third", "fourth", "fifth", "sixth"), size=(5.0, 4.0), beside=True),
 }
 
 
@@ -84,14 +93,18 @@ def write_yard(folder: Path, kind: YardKind, seed: int) -> str:
     """
     yard = YARDS[kind]
     random = np.random.default_rng([list(YardKind).index(kind), seed])
-    spots = _strew(random, yard.robots + len(yard.every_task))
+    starts = _strew(random, yard.size, [], yard.robots)
+    if yard.beside:
+        places = _beside(random, yard.size, starts, len(yard.every_task))
+    else:
+        places = _strew(random, yard.size, starts, len(yard.every_task))
     package = folder / f"{kind.value}_{seed}"
     package.mkdir(parents=True, exist_ok=True)
     files: Dict[str, str] = {
         "package.xml": _MANIFEST.format(name=f"{kind.value}_{seed}"),
         "rqt_mrta.xml": _application(yard),
-        "tasks.yaml": "tasks:\n" + "".join(_task(yard, *each) for each in zip(yard.every_task, spots[yard.robots :])),
-        "scenario.yaml": _SCENARIO + "".join(_robot(*each) for each in zip(yard.robot_ids, spots)),
+        "tasks.yaml": "tasks:\n" + "".join(_task(yard, *each) for each in zip(yard.every_task, places)),
+        "scenario.yaml": _scenario(yard) + "".join(_robot(*each) for each in zip(yard.robot_ids, starts)),
     }
     for name, text in files.items():
         (package / name).write_text(text, encoding="utf-8")
@@ -99,6 +112,9 @@ def write_yard(folder: Path, kind: YardKind, seed: int) -> str:
 
 
 _Spot = Tuple[float, float]
+
+_DATA = "{speed: 0.5, patience: 600}"
+"""Nobody gives up because something stands in the way for a while."""
 
 _MANIFEST = """<package format="3">
   <name>{name}</name> <version>0.1.0</version> <description>A yard.</description>
@@ -111,30 +127,50 @@ _MANIFEST = """<package format="3">
 </package>
 """
 
-_SCENARIO = f"""world: planar
+_SCENARIO = """world: planar
 duration: 60
 control_rate: 10
-arena: {{min_x: -{_HALF_LENGTH}, min_y: -{_HALF_WIDTH}, max_x: {_HALF_LENGTH}, max_y: {_HALF_WIDTH}}}
+arena: {{min_x: -{x}, min_y: -{y}, max_x: {x}, max_y: {y}}}
 obstacles: []
 robot_defaults:
   sensors:
     - {{kind: localiser, topic: pose, rate: 10}}
-    - {{kind: range_finder, topic: scan, rate: 5, rays: 24, fov: {2.0 * math.pi}, max_range: 2.0}}
+    - {{kind: range_finder, topic: scan, rate: 5, rays: 24, fov: 6.283, max_range: 2.0}}
 robots:
 """
 
 
-def _strew(random: np.random.Generator, number: int) -> List[_Spot]:
-    """Find spots that are apart from each other and from the walls."""
+def _scenario(yard: Yard) -> str:
+    return _SCENARIO.format(x=yard.size[0] / 2.0, y=yard.size[1] / 2.0)
+
+
+def _strew(random: np.random.Generator, size: Tuple[float, float], taken: Sequence[_Spot], number: int) -> List[_Spot]:
+    """Find spots that are apart from each other, from those that are taken, and from the walls."""
     spots: List[_Spot] = []
     while len(spots) < number:
-        spot = (
-            round(float(random.uniform(_MARGIN - _HALF_LENGTH, _HALF_LENGTH - _MARGIN)), 2),
-            round(float(random.uniform(_MARGIN - _HALF_WIDTH, _HALF_WIDTH - _MARGIN)), 2),
-        )
-        if all(math.dist(spot, other) >= _APART for other in spots):
+        spot = _spot(random, size)
+        if all(math.dist(spot, other) >= _APART for other in (*taken, *spots)):
             spots.append(spot)
     return spots
+
+
+def _beside(
+    random: np.random.Generator, size: Tuple[float, float], starts: Sequence[_Spot], number: int
+) -> List[_Spot]:
+    """Find spots beside one start after another, in any order, each of them nearest to that start."""
+    order = random.permutation(len(starts))
+    spots: List[_Spot] = []
+    while len(spots) < number:
+        spot, start = _spot(random, size), starts[int(order[len(spots) % len(order)])]
+        nearest = min(starts, key=lambda each: math.dist(each, spot))
+        if nearest == start and _BESIDE[0] <= math.dist(spot, start) <= _BESIDE[1]:
+            spots.append(spot)
+    return spots
+
+
+def _spot(random: np.random.Generator, size: Tuple[float, float]) -> _Spot:
+    x, y = (side / 2.0 - _MARGIN for side in size)
+    return round(float(random.uniform(-x, x)), 2), round(float(random.uniform(-y, y)), 2)
 
 
 def _application(yard: Yard) -> str:
@@ -156,9 +192,8 @@ def _tasks_of(yard: Yard, number: int) -> List[str]:
 
 def _task(yard: Yard, task: str, spot: _Spot) -> str:
     ends = "perpetual: true" if yard.perpetual else f"expected_duration: {EXPECTED_DURATION}"
-    # Nobody gives up because something stands in the way for a while.
     place = f"{{x: {spot[0]}, y: {spot[1]}}}"
-    return f"  - {{id: {task}, kind: go_to_place, place: {place}, {ends}, data: {{patience: 600}}}}\n"
+    return f"  - {{id: {task}, kind: go_to_place, place: {place}, {ends}, data: {_DATA}}}\n"
 
 
 def _robot(robot: str, spot: _Spot) -> str:
