@@ -91,7 +91,7 @@ def test_harmless_missions_come_under_every_trouble_yard_and_architecture(tmp_pa
     names = [mission.name for mission in harmless_missions(tmp_path, range(1, 36))]
     troubled = {(name.split(",")[0], name.split(": ")[1]) for name in names if ": " in name}
 
-    assert len(names) == len(set(names)) == 35 + 3 * 15
+    assert len(names) == len(set(names)) == 35 + 2 * 15
     assert len(troubled) == 35
 
 

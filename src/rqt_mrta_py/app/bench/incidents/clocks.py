@@ -8,7 +8,7 @@ import numpy as np
 
 from rqt_mrta_py.app.bench.incidents.calm import CalmMission
 from rqt_mrta_py.app.bench.incidents.fault import Strike, event, pick
-from rqt_mrta_py.app.bench.incidents.label import Label, names
+from rqt_mrta_py.app.bench.incidents.label import Allowance, Label, names
 from rqt_mrta_py.model import ScenarioEvent, ScenarioEventKind
 
 __all__ = ["ahead", "ahead_for_a_while", "behind", "drifts_ahead", "drifts_behind"]
@@ -28,7 +28,7 @@ def ahead_for_a_while(calm: CalmMission, random: np.random.Generator) -> Optiona
     robot, time = _whom_and_when(calm, random)
     offset = pick(random, 1.5, 5.0) * calm.tolerance
     events = (_shift(time, robot, offset), _shift(time + pick(random, 6.0, 15.0), robot, 0.0))
-    return Strike((Label(_FUTURE, time, time + 6.0, names(robot)),), events)
+    return Strike((Label(_FUTURE, time, time + 6.0, names(robot)),), events, allowances=_slow(robot))
 
 
 def behind(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
@@ -36,7 +36,7 @@ def behind(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
     robot, time = _whom_and_when(calm, random)
     offset = pick(random, 1.5, 4.0) * calm.tolerance
     label = Label(_PAST, time, time + 2.0 * offset + 6.0, names(robot))
-    return Strike((label,), (_shift(time, robot, -offset),))
+    return Strike((label,), (_shift(time, robot, -offset),), allowances=_slow(robot))
 
 
 def drifts_ahead(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
@@ -57,7 +57,17 @@ def _drift(calm: CalmMission, random: np.random.Generator, rule: str, sign: floa
     events: List[ScenarioEvent] = [
         _shift(time + step, robot, sign * (step + 1) * rate * calm.tolerance) for step in range(steps)
     ]
-    return Strike((Label(rule, time, time + steps + 6.0, names(robot)),), tuple(events))
+    return Strike(
+        (Label(rule, time, time + steps + 6.0, names(robot)),),
+        tuple(events),
+        allowances=_slow(robot) if sign < 0.0 else (),
+    )
+
+
+def _slow(robot: str) -> Tuple[Allowance, ...]:
+    """Allow for what follows while a clock runs at half speed until it agrees, after it was set back."""
+    why = "it speaks half as often meanwhile, and what it says expires in between"
+    return (Allowance("flipping_allocation", why, robots=names(robot)),)
 
 
 def _whom_and_when(calm: CalmMission, random: np.random.Generator) -> Tuple[str, float]:

@@ -40,7 +40,7 @@ def harmless_missions(folder: Path, seeds: Sequence[int]) -> List[Harmless]:
         folder: where yards are.
         seeds: one for each mission of each kind.
     """
-    examples = [each for seed in seeds[: max(1, len(seeds) // 10)] for each in _examples(seed)]
+    examples = [each for seed in seeds[: max(1, len(seeds) // 15)] for each in _examples(seed)]
     return [*examples, *_troubled(folder, seeds)]
 
 

@@ -50,9 +50,9 @@ def parted(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
 
 
 def worker_cut_off(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
-    """Let the radio of a robot fail for good, early in a mission whose tasks end."""
+    """Let the radio of a robot fail for good, before the tasks of a mission are done, all of which end."""
     robot = calm.robots[int(random.integers(len(calm.robots)))]
-    time = pick(random, 4.0, 9.0)
+    time = pick(random, 1.5, 3.5)
     label = Label("task_completed_twice", time, calm.end, names(robot))
     further = (
         Allowance("task_completed_twice", _DEAF, 1.0, names(robot)),

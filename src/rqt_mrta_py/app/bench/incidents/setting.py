@@ -22,12 +22,12 @@ DURATIONS: Mapping[YardKind, float] = {
     YardKind.WATCH: 64.0,
     YardKind.ERRANDS: 80.0,
     YardKind.DEADLINES: 80.0,
-    YardKind.ARRIVALS: 92.0,
+    YardKind.ARRIVALS: 128.0,
 }
 """Of missions [s]."""
 
-_ARRIVAL_PERIOD = 15.0
-"""Between two tasks that come up [s]: as long as the longest way takes, so that all robots are free again."""
+_ARRIVAL_PERIOD = 22.0
+"""Between two tasks that come up [s]: twice what the longest way takes, so that all robots are free again."""
 
 _LAST = 0.5
 

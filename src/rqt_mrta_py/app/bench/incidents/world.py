@@ -137,7 +137,7 @@ def estimate_in_turns(calm: CalmMission, random: np.random.Generator) -> Optiona
     label = Label("flipping_allocation", time, calm.end, names(hold.robot), names(hold.task))
     further = (
         Allowance(label.rule, "who holds another task is cheaper for once, and leaves that one", time),
-        Allowance("unequal_share", "every time it is the same robot that is not dear", time - 15.0, everybody),
+        Allowance("unequal_share", "those that are dear in turns get it in turns, and others never"),
     )
     return Strike((label,), agents=agents, allowances=further)
 
