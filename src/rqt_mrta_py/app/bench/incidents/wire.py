@@ -134,7 +134,7 @@ def goes_on(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
         return None
     said = ((claim(calm.claim, hold.robot, hold.task), 0.0, lasts),)
     label = Label("illegal_state_change", hold.end, hold.end + lasts, names(hold.robot), names(hold.task))
-    return Strike((label,), agents=GoesOn(hold.robot, hold.task, said))
+    return Strike((label,), agents=GoesOn(hold.robot, hold.task, said), allowances=_left(hold))
 
 
 def ends_otherwise(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
@@ -161,7 +161,13 @@ def completes_again(calm: CalmMission, random: np.random.Generator) -> Optional[
         Label("illegal_state_change", hold.end, hold.end + after, who, what),
         Label("task_completed_twice", hold.end - 0.5, hold.end + after + 1.0, who, what),
     )
-    return Strike(labels, agents=GoesOn(hold.robot, hold.task, said))
+    return Strike(labels, agents=GoesOn(hold.robot, hold.task, said), allowances=_left(hold))
+
+
+def _left(hold: Allocation) -> Tuple[Allowance, ...]:
+    """Allow for what follows where a claim is instead of the one before: the robot's next task is left each time."""
+    why = "under DEMiR-CF a robot that claims a task has left the one before"
+    return (Allowance("flipping_allocation", why, hold.end - 1.0, names(hold.robot)),)
 
 
 def _holds_another(

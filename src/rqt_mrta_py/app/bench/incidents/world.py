@@ -122,10 +122,10 @@ def change_their_minds(calm: CalmMission, random: np.random.Generator) -> Option
 
 
 def estimate_in_turns(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
-    """Let two robots find the task that one of them holds dear in turns."""
+    """Let two robots find the task that one of them holds dear in turns, while no other waits for either."""
     time = pick(random, _SETTLED, _SETTLED + 5.0)
     held = calm.holds(time - 3.0, calm.end - 1.0)
-    if not held:
+    if len(held) < len(calm.mission.tasks):
         return None
     hold = _one_of(held, random)
     others = [robot for robot in calm.idle(time - 5.0, calm.end) if calm.can(robot, hold.task)]
