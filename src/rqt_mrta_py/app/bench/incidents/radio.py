@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Optional
+from typing import List, Optional
 
 import numpy as np
 
 from rqt_mrta_py.app.bench.incidents.calm import CalmMission
 from rqt_mrta_py.app.bench.incidents.fault import Strike, event, pick
 from rqt_mrta_py.app.bench.incidents.label import Allowance, Label, names
-from rqt_mrta_py.model import ScenarioEventKind
+from rqt_mrta_py.model import Allocation, ScenarioEventKind
 
 __all__ = ["holder_cut_off", "parted", "worker_cut_off"]
 
@@ -19,10 +19,7 @@ _DEAF = "who does not hear what others do does it too"
 def holder_cut_off(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
     """Let the radio of a robot fail that holds a task which an idle one could carry out."""
     time = pick(random, 20.0, 25.0)
-    idle = calm.idle(time - 5.0, calm.end)
-    held = [
-        hold for hold in calm.holds(time - 3.0, calm.end - 1.0) if any(calm.can(robot, hold.task) for robot in idle)
-    ]
+    held = _coveted(calm, time)
     if not held:
         return None
     hold = held[int(random.integers(len(held)))]
@@ -34,10 +31,7 @@ def holder_cut_off(calm: CalmMission, random: np.random.Generator) -> Optional[S
 def parted(calm: CalmMission, random: np.random.Generator) -> Optional[Strike]:
     """Part the team in two, one with a task's holder, the other with idle robots that could carry it out."""
     time = pick(random, 20.0, 25.0)
-    idle = calm.idle(time - 5.0, calm.end)
-    held = [
-        hold for hold in calm.holds(time - 3.0, calm.end - 1.0) if any(calm.can(robot, hold.task) for robot in idle)
-    ]
+    held = _coveted(calm, time)
     if not held:
         return None
     hold = held[int(random.integers(len(held)))]
@@ -60,3 +54,10 @@ def worker_cut_off(calm: CalmMission, random: np.random.Generator) -> Optional[S
         Allowance("illegal_state_change", "nobody hears of a task's end on the other side", time),
     )
     return Strike((label,), (event(time, ScenarioEventKind.RADIO_FAILS, robot),), allowances=further)
+
+
+def _coveted(calm: CalmMission, time: float) -> List[Allocation]:
+    """List what is held from a time [s] on that an idle robot could carry out as well."""
+    idle = calm.idle(time - 5.0, calm.end)
+    held = calm.holds(time - 3.0, calm.end - 1.0)
+    return [hold for hold in held if any(calm.can(robot, hold.task) for robot in idle)]
