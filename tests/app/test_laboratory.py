@@ -20,7 +20,7 @@ from rqt_mrta_py.app.bench.workers import WorkerError, in_order
 from rqt_mrta_py.app.compose import Host, compose
 from rqt_mrta_py.app.run.mission import RunRequest, run_mission
 from rqt_mrta_py.errors import UsageError
-from rqt_mrta_py.hooks import Experiment, IdleTeam, Trial
+from rqt_mrta_py.hooks import Agent, AgentSetup, Decision, Experiment, IdleTeam, Trial
 from rqt_mrta_py.model import RadioSetup, ScenarioEvent, ScenarioEventKind, TaskState
 from rqt_mrta_py.supervisor import summary as summary_of
 from tests.app.errand_yard import DURATION, write_errand_yard
@@ -283,3 +283,26 @@ def test_processes_end_with_the_one_that_asks_them(number: signal.Signals) -> No
     assert process.returncode != 0
     assert rest == b""
     assert len(workers - {process.pid}) == 2
+
+
+@dataclasses.dataclass(frozen=True)
+class Asleep:
+    """One robot's agent decides nothing and says nothing."""
+
+    robot: str
+
+    def __call__(self, setup: AgentSetup, agent: Agent) -> Agent:
+        if setup.robot_id == self.robot:
+            agent.step = lambda situation: Decision(None)  # type: ignore[method-assign]  # of this object alone
+        return agent
+
+
+@pytest.mark.parametrize("processes", [1, 2])
+def test_an_experiment_may_put_other_agents_in_the_place_of_some(host: Host, errands: str, processes: int) -> None:
+    """robot1 has no part in it; the other mission is as ever."""
+    asleep = Experiment(errands, 1, duration=15.0, events=(), agents=Asleep("robot1"))
+    changed, usual = EmbeddedLaboratory(host, processes).trials([asleep, dataclasses.replace(asleep, agents=None)])
+
+    assert {each.robot for each in changed.record.allocations} == {"robot2"}
+    assert {each.robot for each in usual.record.allocations} == {"robot1", "robot2"}
+    assert changed.experiment == asleep

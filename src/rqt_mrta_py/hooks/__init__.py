@@ -67,7 +67,7 @@ from rqt_mrta_py.hooks.incident import (
     TopicHeard,
     TopicSilent,
 )
-from rqt_mrta_py.hooks.laboratory import Experiment, IdleTeam, Laboratory, TeamCost, Trial
+from rqt_mrta_py.hooks.laboratory import AgentChange, Experiment, IdleTeam, Laboratory, TeamCost, Trial
 from rqt_mrta_py.hooks.link import Link, LinkFactory, LinkSetup
 from rqt_mrta_py.hooks.loading import load_plugin, load_plugins
 from rqt_mrta_py.hooks.manager import PluginManager
@@ -139,6 +139,7 @@ __all__ = [
     "GRIP_HALF_ANGLE",
     "PROJECT",
     "Agent",
+    "AgentChange",
     "AgentFactory",
     "AgentSetup",
     "AllocationEnded",

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Iterator, Mapping, Optional, Protocol, Sequence, Tuple
+from typing import Any, Callable, Iterator, Mapping, Optional, Protocol, Sequence, Tuple
 
+from rqt_mrta_py.hooks.agent import Agent, AgentSetup
 from rqt_mrta_py.model import MapKnowledge, MissionRecord, RadioSetup, ScenarioEvent
 
-__all__ = ["Experiment", "IdleTeam", "Laboratory", "TeamCost", "Trial"]
+__all__ = ["AgentChange", "Experiment", "IdleTeam", "Laboratory", "TeamCost", "Trial"]
+
+AgentChange = Callable[[AgentSetup, Agent], Agent]
+"""From what an agent was made of, and the agent, to the one that takes its place: perhaps one that misbehaves."""
 
 
 @dataclass(frozen=True)
@@ -27,6 +31,7 @@ class Experiment:
         radio: instead of the scenario's.
         tasks: ids of those that the mission has; the others are left out.
         map: whether robots know it from the start.
+        agents: changes each of them, in the team's order; a value that can be sent to another process.
     """
 
     application: str
@@ -40,6 +45,7 @@ class Experiment:
     radio: Optional[RadioSetup] = None
     tasks: Optional[Tuple[str, ...]] = None
     map: Optional[MapKnowledge] = None
+    agents: Optional[AgentChange] = None
 
 
 @dataclass(frozen=True)

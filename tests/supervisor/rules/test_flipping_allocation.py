@@ -92,3 +92,45 @@ def test_two_tasks_are_counted_apart() -> None:
         stream.busy(start, "robot1", task)
         stream.sign(start + 0.5, "robot1", task, "gave_up")
     assert incidents(stream) == ()
+
+
+def test_robots_that_begin_at_one_moment_and_leave_are_one_try() -> None:
+    """As equal robots under ALLIANCE, which reset each other: three begin at 1 s, all leave, one has it from 5 s on."""
+    stream = watched(RULE)
+    for robot in ("robot1", "robot2", "robot3"):
+        stream.busy(1.0, robot, "patrol")
+    for robot in ("robot1", "robot2", "robot3"):
+        stream.sign(2.0, robot, "patrol", "preempted")
+    stream.busy(5.0, "robot3", "patrol")
+    stream.sign(6.0, "robot3", "patrol", "preempted")
+    stream.busy(7.0, "robot1", "patrol")
+    stream.tick(20.0)
+    assert incidents(stream) == ()
+
+
+def hand_over(stream: Stream, starts: Sequence[float], robots: Sequence[str]) -> None:
+    """Let robots take patrol one after another, each 0.2 s before the one before yields."""
+    stream.busy(starts[0], robots[0], "patrol")
+    for start, robot, before in zip(starts[1:], robots[1:], robots):
+        stream.busy(start - 1.0, before, "patrol")
+        stream.busy(start, robot, "patrol")
+        stream.sign(start + 0.2, before, "patrol", "yielded")
+
+
+def test_robot_that_takes_a_task_before_the_other_leaves_it_counts_once_it_is_left_alone() -> None:
+    """The fourth is alone with it at 7.2 s."""
+    stream = watched(RULE)
+    hand_over(stream, [1.0, 3.0, 5.0, 7.0], ["robot1", "robot2", "robot1", "robot2"])
+    stream.progress(8.0, "patrol", "robot2", Progress.DONE)
+    (incident,) = incidents(stream)
+    assert (incident.start, incident.end, incident.robots) == (1.0, 8.0, ("robot1", "robot2"))
+    assert [each.stamp for each in incident.evidence] == [1.0, 3.0, 5.0, 7.0]
+
+
+def test_a_long_allocation_does_not_hide_the_brief_one_that_began_before_its_end() -> None:
+    """robot1 has had it for 19 s when robot2 takes it, 0.2 s before robot1 yields."""
+    stream = watched(RULE)
+    stream.every(1.0, 1.0, 19.0, lambda time: stream.busy(time, "robot1", "patrol"))
+    hand_over(stream, [19.0, 20.0, 22.0, 24.0, 26.0], ["robot1", "robot2", "robot1", "robot2", "robot1"])
+    stream.progress(27.0, "patrol", "robot1", Progress.DONE)
+    assert spans(stream) == ((20.0, 27.0),)

@@ -14,10 +14,25 @@ __all__ = ["mrta_register_benchmarks"]
 def mrta_register_benchmarks() -> Mapping[str, Benchmark]:
     """Name the benchmarks."""
     return {
+        "incidents": Benchmark(
+            "How well incident rules find faults: precision and recall.", _incidents_arguments, _incidents
+        ),
         "live": Benchmark("What live supervision costs, how quick and how safe it is.", _live_arguments, _live),
         "loop": Benchmark("How fast a simulated mission runs, everything on.", _loop_arguments, _loop),
         "review": Benchmark("How fast bags are reviewed, beside rosbag.", _review_arguments, _review),
     }
+
+
+def _incidents_arguments(parser: ArgumentParser) -> None:
+    from rqt_mrta_py.app.bench.incidents.measuring import add_arguments
+
+    add_arguments(parser)
+
+
+def _incidents(options: Namespace, laboratory: Laboratory) -> BenchmarkReport:
+    from rqt_mrta_py.app.bench.incidents.measuring import measure
+
+    return measure(options, laboratory)
 
 
 def _live_arguments(parser: ArgumentParser) -> None:

@@ -54,7 +54,7 @@ def carry_out(host: Host, experiment: Experiment, mission: Mission, duration: fl
         for measure in measures.values():
             for subscription in measure.subscriptions():
                 dispatcher.subscribe(subscription, measure.hear)
-        run = EmbeddedRun(mission, duration, codec, manager)
+        run = EmbeddedRun(mission, duration, codec, manager, change=experiment.agents)
     try:
         run.bus.tap(counts.take_in)
         run.bus.tap(dispatcher.feed_batch)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Iterator, Sequence, Set, Tuple
+from typing import Any, Iterator, Optional, Sequence, Set, Tuple
 
 from rqt_mrta_py.app.run.team import Team, build_team
 from rqt_mrta_py.app.run.watch import SUPERVISOR_TOPICS
 from rqt_mrta_py.app.run.world_side import WorldSide
-from rqt_mrta_py.hooks import AnyOutgoing, Codec
+from rqt_mrta_py.hooks import AgentChange, AnyOutgoing, Codec
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Mission
 from rqt_mrta_py.transport import Node
@@ -24,6 +24,8 @@ class EmbeddedRun:
         duration: float,
         codec: Codec,
         manager: PluginManager,
+        *,
+        change: Optional[AgentChange] = None,
     ) -> None:
         """Build the world and the team; nothing moves or is said yet.
 
@@ -32,6 +34,7 @@ class EmbeddedRun:
             duration: of the mission [s].
             codec: writes and reads messages.
             manager: plugins, loaded.
+            change: puts another agent in the place of each; None: they stay as they are.
 
         Raises:
             UsageError: the mission says nothing of what is simulated, no time passes, or more than ROS can tell.
@@ -44,7 +47,7 @@ class EmbeddedRun:
         self.bus = self._world.bus
         self._paused: Set[str] = set()
         try:
-            self._team: Team = build_team(mission, self._world.seed, self._simulation, self.bus, manager)
+            self._team: Team = build_team(mission, self._world.seed, self._simulation, self.bus, manager, change=change)
         except BaseException:
             self._world.close()
             raise

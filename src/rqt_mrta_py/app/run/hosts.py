@@ -10,6 +10,7 @@ from rqt_mrta_py.app.run.missing import missing_agents, missing_behaviour, missi
 from rqt_mrta_py.errors import RobotError, UsageError
 from rqt_mrta_py.hooks import (
     Agent,
+    AgentChange,
     AgentFactory,
     AgentSetup,
     Allocator,
@@ -44,6 +45,7 @@ class HostMaker:
         scenario: where the robots are, and what each knows and can do.
         models: of the robots, by robot id; of those whose hosts are made.
         manager: plugins, loaded.
+        change: puts another agent in the place of each; None: they stay as they are.
 
     Raises:
         UsageError: nobody provides agents for the mission's architecture, or the planner that the scenario names.
@@ -56,7 +58,10 @@ class HostMaker:
         scenario: ScenarioSpec,
         models: Mapping[str, RobotModel],
         manager: PluginManager,
+        *,
+        change: Optional[AgentChange] = None,
     ) -> None:
+        self._change = change
         self._mission = mission
         self._seed = seed
         self._scenario = scenario
@@ -101,6 +106,8 @@ class HostMaker:
         )
         who = f"{robot_id}: agent of {self._mission.architecture.package}"
         agent: Agent = made(who, self._agent, agent_setup, *_AGENT)
+        if self._change is not None:
+            agent = self._change(agent_setup, agent)
         return RobotHost(
             HostSetup(
                 robot_id,

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Dict, Tuple
+from typing import Dict, Optional, Tuple
 
 from rqt_mrta_py.app.run.hosts import HostMaker
+from rqt_mrta_py.hooks import AgentChange
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Mission
 from rqt_mrta_py.robot import RobotHost
@@ -48,7 +49,15 @@ class Team:
     commands: Tuple[TeamEar, ...]
 
 
-def build_team(mission: Mission, seed: int, simulation: Simulation, bus: Bus, manager: PluginManager) -> Team:
+def build_team(
+    mission: Mission,
+    seed: int,
+    simulation: Simulation,
+    bus: Bus,
+    manager: PluginManager,
+    *,
+    change: Optional[AgentChange] = None,
+) -> Team:
     """Make every robot's agent, behaviours and host, and join them and the hardware to the bus.
 
     Args:
@@ -57,6 +66,7 @@ def build_team(mission: Mission, seed: int, simulation: Simulation, bus: Bus, ma
         simulation: holds the simulated hardware.
         bus: to join.
         manager: plugins, loaded.
+        change: puts another agent in the place of each; None: they stay as they are.
 
     Raises:
         UsageError: nobody provides agents for the mission's architecture, or the planner that the scenario names.
@@ -64,7 +74,7 @@ def build_team(mission: Mission, seed: int, simulation: Simulation, bus: Bus, ma
         HookError: an agent or a behaviour cannot be made.
     """
     models = {name: robot.model for name, robot in simulation.robots.items()}
-    maker = HostMaker(mission, seed, simulation.scenario, models, manager)
+    maker = HostMaker(mission, seed, simulation.scenario, models, manager, change=change)
     members: Dict[str, Member] = {}
     robots = [robot.id for robot in mission.application.robots]
     drive, hear_drives = simulation.drivers.listener(robots)
