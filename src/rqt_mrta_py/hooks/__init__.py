@@ -10,6 +10,7 @@
 * ``picture``, ``figure``: in pictures; ``curve_trace`` collects what a panel will show
 * ``parameters``: read and checked
 * ``exporter``, ``observer``: what else hears a mission
+* ``construction``: structures of blocks, and who plans them
 * ``verb``, ``benchmark``, ``laboratory``: on the command line
 * ``task_orders``: what operators say of tasks
 
@@ -37,6 +38,14 @@ from rqt_mrta_py.hooks.behaviour import (
     Perception,
 )
 from rqt_mrta_py.hooks.benchmark import Benchmark, BenchmarkReport, BenchmarkTable
+from rqt_mrta_py.hooks.construction import (
+    AssemblyOutcome,
+    AssemblyPlanner,
+    AssemblyRequest,
+    BlockPlacement,
+    Structure,
+    Voxel,
+)
 from rqt_mrta_py.hooks.curve_trace import CurveTrace, TeamTraces, nice_top
 from rqt_mrta_py.hooks.evaluator import SensorReading, SensoryEvaluator, SensoryEvaluatorFactory
 from rqt_mrta_py.hooks.exporter import Exporter, ExporterFactory, ExporterSetup, MessageExporter
@@ -152,6 +161,9 @@ __all__ = [
     "Allocator",
     "AnyOutgoing",
     "Applicability",
+    "AssemblyOutcome",
+    "AssemblyPlanner",
+    "AssemblyRequest",
     "Behaviour",
     "BehaviourFactory",
     "BehaviourSetup",
@@ -159,6 +171,7 @@ __all__ = [
     "Benchmark",
     "BenchmarkReport",
     "BenchmarkTable",
+    "BlockPlacement",
     "Body",
     "BodySight",
     "BodyState",
@@ -248,6 +261,7 @@ __all__ = [
     "Situation",
     "Stamped",
     "Statistic",
+    "Structure",
     "Subscription",
     "TaskApplicability",
     "TaskClaimed",
@@ -268,6 +282,7 @@ __all__ = [
     "UnknownTaskNamed",
     "UsageError",
     "Verb",
+    "Voxel",
     "World",
     "WorldFactory",
     "WorldSetup",

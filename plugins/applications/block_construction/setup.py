@@ -1,0 +1,12 @@
+"""Lets catkin put the package's Python modules on the path."""
+
+from catkin_pkg.python_setup import generate_distutils_setup
+from setuptools import setup
+
+packages = [
+    "block_construction",
+    "block_construction.diagram",
+    "block_construction.exact",
+    "block_construction.structure",
+]
+setup(**generate_distutils_setup(packages=packages, package_dir={"": "src"}))

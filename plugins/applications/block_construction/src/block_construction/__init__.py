@@ -1,0 +1,8 @@
+"""Autonomous construction of block structures, planned by learning automata or exactly, built by robots.
+
+After D. de O. Dantas, *Implementação de um Sistema Autônomo de Construção de Estrutura usando Aprendizado por Reforço*,
+Universidade Federal do Maranhão, 2017 (in docstrings: Dantas 2017).
+
+* ``structure``: what shall be built; ``diagram``: which block where; ``exact``: proved optima
+* ``errors``: what makes it impossible; ``plugin``: the hooks
+"""
