@@ -7,6 +7,8 @@ packages = [
     "block_construction",
     "block_construction.diagram",
     "block_construction.exact",
+    "block_construction.experiments",
+    "block_construction.learning",
     "block_construction.structure",
 ]
 setup(**generate_distutils_setup(packages=packages, package_dir={"": "src"}))

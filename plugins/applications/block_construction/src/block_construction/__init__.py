@@ -3,6 +3,6 @@
 After D. de O. Dantas, *Implementação de um Sistema Autônomo de Construção de Estrutura usando Aprendizado por Reforço*,
 Universidade Federal do Maranhão, 2017 (in docstrings: Dantas 2017).
 
-* ``structure``: what shall be built; ``diagram``: which block where; ``exact``: proved optima
+* ``structure``: what shall be built; ``diagram``: which block where; ``exact``: proved optima; ``learning``: FALA, PLA
 * ``errors``: what makes it impossible; ``plugin``: the hooks
 """
