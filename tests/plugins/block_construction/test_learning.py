@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from typing import Any, Dict, List, Sequence, Tuple
+from typing import Any, Dict, List, Tuple
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ from block_construction.diagram.diagram import assembly_diagram
 from block_construction.diagram.planning import plan_diagram
 from block_construction.errors import ConstructionError
 from block_construction.learning.compiled import has_compiler
-from block_construction.learning.drawing import draw_action, draw_diagram
+from block_construction.learning.drawing import Reach, draw_action, draw_diagram
 from block_construction.learning.learner import Training, learn
 from block_construction.learning.network import Network, network_of, placements_of
 from block_construction.learning.planner import FALA, PLA
@@ -66,18 +66,12 @@ def diagram_of(network: Network, state: State, blocks: int) -> Tuple[BlockPlacem
     return placements_of(network, actions.tolist())
 
 
-def state_with(probabilities: List[float], covered: Sequence[int] = (0, 0, 0, 0)) -> State:
-    """Make the state of the square's first run."""
-    state = initial_state(network_of(SQUARE, LENGTHS), 1, 1)
-    state.probabilities[:] = probabilities
-    state.covered[:] = covered
-    state.tally[RUN] = 1
-    return state
-
-
 def test_an_action_on_covered_cells_is_left_out() -> None:
     """The second lays a block along y onto (2, 2); the third would lay one along x there, surely, but for that."""
-    network, state = network_of(SQUARE, LENGTHS), state_with([1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0])
+    network = network_of(SQUARE, LENGTHS)
+    state = initial_state(network, 1, 1)
+    state.probabilities[:] = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0]
+    state.tally[RUN] = 1
     random = Scripted(0.5, 0.5)
     blocks, _ = draw_diagram(network, state, random)
     laid = (BlockPlacement(1, 1, 1, 1), BlockPlacement(2, 1, 1, -2), BlockPlacement(1, 2, 1, 1))
@@ -85,20 +79,23 @@ def test_an_action_on_covered_cells_is_left_out() -> None:
     assert random.draws == []
 
 
+def first_drawn(probabilities: List[float], covered: List[int], draw: float) -> int:
+    """Let the square's first automaton draw its action in run 1."""
+    network = network_of(SQUARE, LENGTHS)
+    reach = Reach(network.begin, network.cells, np.array(covered))
+    return draw_action(reach, 1, 0, 3, np.array(probabilities), Scripted(draw))
+
+
 def test_probabilities_of_open_actions_are_made_to_sum_to_one() -> None:
-    network, rest = network_of(SQUARE, LENGTHS), [0.5, 0.5, 0.5, 0.5, 1.0]
     # (2, 1) is covered: 0.2 and 0.3 are left, that is 0.4 and 0.6.
-    state = state_with([0.2, 0.5, 0.3, *rest], (0, 1, 0, 0))
-    assert draw_action(network, state, 0, Scripted(0.39)) == 0
-    assert draw_action(network, state, 0, Scripted(0.41)) == 2
-    assert draw_action(network, state_with([0.2, 0.5, 0.3, *rest]), 0, Scripted(0.41)) == 1
+    assert first_drawn([0.2, 0.5, 0.3], [0, 1, 0, 0], 0.39) == 0
+    assert first_drawn([0.2, 0.5, 0.3], [0, 1, 0, 0], 0.41) == 2
+    assert first_drawn([0.2, 0.5, 0.3], [0, 0, 0, 0], 0.41) == 1
 
 
 def test_open_actions_without_probability_are_drawn_evenly() -> None:
-    network = network_of(SQUARE, LENGTHS)
-    state = state_with([0.0, 1.0, 0.0, 0.5, 0.5, 0.5, 0.5, 1.0], (0, 1, 0, 0))
-    assert draw_action(network, state, 0, Scripted(0.49)) == 0
-    assert draw_action(network, state, 0, Scripted(0.51)) == 2
+    assert first_drawn([0.0, 1.0, 0.0], [0, 1, 0, 0], 0.49) == 0
+    assert first_drawn([0.0, 1.0, 0.0], [0, 1, 0, 0], 0.51) == 2
 
 
 @given(HEIGHTS, st.integers(0, 2**32))
@@ -256,6 +253,13 @@ def test_what_costs_more_is_not_taken() -> None:
 def test_local_credit_that_begins_anew_finds_the_cistern() -> None:
     for seed in range(3):
         assert trained("cistern", seed, rate=0.05, credit="local", reopen="yes").cost == 32
+
+
+def test_noise_goes_by_the_root_of_the_rate_as_printed_or_by_the_rate() -> None:
+    for scale, deviation in (("root", 0.05), ("rate", 0.025)):
+        rules = learning_settings({**PLA_DEFAULTS, "rate": 0.25, "noise_scale": scale}).rules
+        assert rules.noise == pytest.approx(deviation)
+    assert learning_settings(FALA_DEFAULTS).rules.noise == 0.0
 
 
 @pytest.mark.parametrize(

@@ -5,13 +5,21 @@ from __future__ import annotations
 from typing import Mapping
 
 from block_construction.exact.planner import EXACT
+from block_construction.experiments.benchmark import add_arguments, measure
 from block_construction.learning.planner import FALA, PLA
-from rqt_mrta_py.hooks import AssemblyPlanner, hookimpl
+from rqt_mrta_py.hooks import AssemblyPlanner, Benchmark, hookimpl
 
-__all__ = ["mrta_register_assembly_planners"]
+__all__ = ["mrta_register_assembly_planners", "mrta_register_benchmarks"]
 
 
 @hookimpl
 def mrta_register_assembly_planners() -> Mapping[str, AssemblyPlanner]:
     """Name the methods of deciding which block goes where."""
     return {"exact": EXACT, "fala": FALA, "pla": PLA}
+
+
+@hookimpl
+def mrta_register_benchmarks() -> Mapping[str, Benchmark]:
+    """Name the comparison with the source's tables."""
+    about = "planning of block structures against the tables of the source and proved optima"
+    return {"construction": Benchmark(about, add_arguments, measure)}

@@ -14,7 +14,7 @@ _INNER = (
     *(credit.is_fault, credit.local_cost, drawing.is_open, drawing.draw_action, drawing.draw_diagram),
     *(fala.chosen_probability, fala.other_probability, memory.remember),
     *(pla.boltzmann, pla.log_gradient, pla.parameter_change, pla.restoring_force, reward.reward),
-    *(stops.greatest_probability, stops.hits_among_recent, training.learn_parameters, training.learn_probabilities),
+    *(stops.greatest, stops.hits_among_recent, training.learn_parameters, training.learn_probabilities),
 )
 """What the loop calls."""
 

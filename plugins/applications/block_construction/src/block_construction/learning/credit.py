@@ -30,13 +30,15 @@ def local_cost(network: Network, codes: Any, action: int) -> int:
         codes: of all cells of the diagram.
         action: that lays the block.
     """
+    cells, lower, upper = network.cells, network.below, network.above
+    begin, end = network.begin[action], network.begin[action + 1]
     cost = 0
-    for position in range(network.begin[action], network.begin[action + 1]):
-        cell = network.cells[position]
-        below, above = network.below[cell], network.above[cell]
+    for position in range(begin, end):
+        cell = cells[position]
+        below, above = lower[cell], upper[cell]
         if below >= 0 and is_fault(codes[below], codes[cell]):
             cost += 1
         if above >= 0 and is_fault(codes[cell], codes[above]):
             cost += 1
-    units: int = network.begin[action + 1] - network.begin[action]
+    units: int = end - begin
     return cost - units

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Memory", "empty_memory", "forget", "remember"]
+__all__ = ["HELD", "LEAST_HELD", "TOTAL", "Memory", "empty_memory", "remember"]
+
+HELD, TOTAL, LEAST_HELD, _TIMES, _NEXT = range(5)
+"""Columns of a memory's sums: how many costs, their sum, the least, how often it is among them, where the next goes."""
 
 
 class Memory(NamedTuple):
@@ -17,19 +20,11 @@ class Memory(NamedTuple):
 
     Attributes:
         costs: (n, R), those remembered in the order of coming, round and round.
-        held: how many each remembers, (n,).
-        next: where the next is put, (n,).
-        total: their sum, (n,).
-        least: the least of them, (n,).
-        times: how often the least is among them, (n,).
+        sums: of each automaton, (n, 5), see above.
     """
 
     costs: NDArray[np.int32]
-    held: NDArray[np.int64]
-    next: NDArray[np.int64]
-    total: NDArray[np.int64]
-    least: NDArray[np.int64]
-    times: NDArray[np.int64]
+    sums: NDArray[np.int64]
 
 
 def empty_memory(automata: int, size: int) -> Memory:
@@ -39,49 +34,43 @@ def empty_memory(automata: int, size: int) -> Memory:
         automata: n.
         size: R, from 1.
     """
-    counts = [np.zeros(automata, dtype=np.int64) for _ in range(5)]
-    return Memory(np.zeros((automata, size), dtype=np.int32), *counts)
+    return Memory(np.zeros((automata, size), dtype=np.int32), np.zeros((automata, 5), dtype=np.int64))
 
 
-def remember(memory: Memory, automaton: int, cost: int) -> None:
+def remember(costs: Any, sums: Any, cost: int) -> None:
     """Let an automaton remember a cost, and forget the oldest where its memory is full.
+
+    Args:
+        costs: the automaton's row of the memory; written to.
+        sums: the automaton's; written to.
+        cost: of this run.
 
     Dantas (2017), section 5.2.
     """
-    size = memory.costs.shape[1]
-    place = memory.next[automaton]
-    held = memory.held[automaton]
-    row = memory.costs[automaton]
+    size = costs.size
+    place, held = sums[_NEXT], sums[HELD]
     if held == size:
-        gone = row[place]
-        memory.total[automaton] -= gone
-        if gone == memory.least[automaton]:
-            memory.times[automaton] -= 1
+        gone = costs[place]
+        sums[TOTAL] -= gone
+        if gone == sums[LEAST_HELD]:
+            sums[_TIMES] -= 1
     else:
         held += 1
-        memory.held[automaton] = held
-    row[place] = cost
-    memory.total[automaton] += cost
-    memory.next[automaton] = (place + 1) % size
-    if memory.times[automaton] == 0:
-        least, times = row[0], 0
+        sums[HELD] = held
+    costs[place] = cost
+    sums[TOTAL] += cost
+    sums[_NEXT] = place + 1 if place + 1 < size else 0
+    if sums[_TIMES] == 0:
+        least, times = costs[0], 0
         for index in range(held):
-            if row[index] < least:
-                least, times = row[index], 1
-            elif row[index] == least:
+            if costs[index] < least:
+                least, times = costs[index], 1
+            elif costs[index] == least:
                 times += 1
-        memory.least[automaton] = least
-        memory.times[automaton] = times
-    elif cost < memory.least[automaton]:
-        memory.least[automaton] = cost
-        memory.times[automaton] = 1
-    elif cost == memory.least[automaton]:
-        memory.times[automaton] += 1
-
-
-def forget(memory: Memory, automaton: int) -> None:
-    """Let an automaton forget everything."""
-    memory.held[automaton] = 0
-    memory.next[automaton] = 0
-    memory.total[automaton] = 0
-    memory.times[automaton] = 0
+        sums[LEAST_HELD] = least
+        sums[_TIMES] = times
+    elif cost < sums[LEAST_HELD]:
+        sums[LEAST_HELD] = cost
+        sums[_TIMES] = 1
+    elif cost == sums[LEAST_HELD]:
+        sums[_TIMES] += 1

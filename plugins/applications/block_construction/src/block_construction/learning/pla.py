@@ -9,30 +9,28 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from block_construction.learning.stops import greatest
+
 __all__ = ["boltzmann", "log_gradient", "parameter_change", "restoring_force"]
 
 
-def boltzmann(parameters: Any, probabilities: Any, first: int, end: int) -> None:
+def boltzmann(parameters: Any, probabilities: Any) -> None:
     """Give the probabilities of an automaton's actions.
 
         p_i = exp(u_i) / sum_j exp(u_j)
 
     Args:
-        parameters: u of all automata's actions.
-        probabilities: p of the same; written to.
-        first: where the automaton's actions begin.
-        end: where they end.
+        parameters: u.
+        probabilities: p; written to.
 
     Dantas (2017), equation 2.5, with the greatest parameter taken off all, which changes nothing and never overflows.
     """
-    greatest = parameters[first]
-    for action in range(first + 1, end):
-        greatest = max(greatest, parameters[action])
+    highest = greatest(parameters)
     total = 0.0
-    for action in range(first, end):
-        probabilities[action] = math.exp(parameters[action] - greatest)
+    for action in range(parameters.size):
+        probabilities[action] = math.exp(parameters[action] - highest)
         total += probabilities[action]
-    for action in range(first, end):
+    for action in range(parameters.size):
         probabilities[action] /= total
 
 
@@ -72,15 +70,15 @@ def restoring_force(u: float, k: float, bound: float, n: int) -> float:
 def parameter_change(b: float, gradient: float, force: float, noise: float, l1: float) -> float:
     """Give what is added to a parameter.
 
-        l1 b d ln g / d u_i + l1 h'(u_i) + sqrt(l1) s_i
+        l1 b d ln g / d u_i + l1 h'(u_i) + noise
 
     Args:
         b: reward.
         gradient: as ``log_gradient`` gives it.
         force: as ``restoring_force`` gives it.
-        noise: s_i.
+        noise: sqrt(l1) s_i.
         l1: rate.
 
     Dantas (2017), equation 2.6, and with the gradient of 2.8 equations 2.9 and 2.10.
     """
-    return l1 * b * gradient + l1 * force + math.sqrt(l1) * noise
+    return l1 * b * gradient + l1 * force + noise

@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Any, List, NamedTuple, Tuple
 import numpy as np
 
 from block_construction.learning.credit import is_fault
-from block_construction.learning.memory import forget
 from block_construction.learning.network import Network
 from block_construction.learning.state import BEGUN, HITS, LEAST, RUN, UNKNOWN, State
 
@@ -117,6 +116,6 @@ def reopen(network: Network, state: State, standing: Standing, random: Any) -> N
     for automaton in np.flatnonzero(opened).tolist():
         actions = slice(network.first[automaton], network.first[automaton + 1])
         state.probabilities[actions] = state.parameters[actions] = 1.0 / (actions.stop - actions.start)
-    for automaton in range(network.above.size):
-        forget(state.memory, automaton)
+    # Without any costs held, whatever else is remembered counts no more.
+    state.memory.sums[:] = 0
     state.tally[BEGUN], state.tally[LEAST], state.tally[HITS] = state.tally[RUN], UNKNOWN, 0

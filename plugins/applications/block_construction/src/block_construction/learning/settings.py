@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, Callable, Dict, Mapping, NamedTuple
 
 from block_construction.errors import ConstructionError
@@ -31,8 +32,20 @@ rate and penalty_rate: l1 and l2. memory: R, the source's J. iterations: at most
 does not stop. converged: 0 does not stop. reopen: ``yes`` goes on after a stop, with automata beside a fault beginning
 anew. leg: iterations after which they do so anyway. compiled: ``yes``, ``no``, or ``auto``, where numba is installed.
 """
-PLA_DEFAULTS: Mapping[str, Any] = {"rate": 0.2, "stiffness": 1.0, "bound": 10.0, "power": 1, "noise": 0.1, **_COMMON}
-"""Of PLA: the source's. stiffness, bound, power: K, L and n. noise: standard deviation of s. All else as for FALA."""
+PLA_DEFAULTS: Mapping[str, Any] = {
+    "rate": 0.2,
+    "stiffness": 1.0,
+    "bound": 10.0,
+    "power": 1,
+    "noise": 0.1,
+    "noise_scale": "root",
+    **_COMMON,
+}
+"""Of PLA: the source's. All else as for FALA.
+
+stiffness, bound, power: K, L and n. noise: standard deviation of s. noise_scale: ``root`` adds sqrt(l1) s_i, as
+equation 2.6 is printed; ``rate`` adds l1 s_i, with which the source's costs at small rates come out.
+"""
 
 _MOST_ITERATIONS = 10_000_000
 _MOST_MEMORY = 100_000
@@ -58,6 +71,7 @@ _CHECKS: Mapping[str, _Check] = {
     "bound": _within(0.0, 100.0),
     "power": _within(1, 5),
     "noise": _within(0.0, 10.0),
+    "noise_scale": _one_of("rate", "root"),
     "memory": _within(1, _MOST_MEMORY),
     "iterations": _Check(lambda value: 1 <= value <= _MOST_ITERATIONS, f"1 to {_MOST_ITERATIONS}"),
     "credit": _one_of("global", "local"),
@@ -93,6 +107,7 @@ def learning_settings(given: Mapping[str, Any]) -> LearningSettings:
             raise ConstructionError(f"setting {name}: {value}; accepted is {check.accepted}")
     if given["compiled"] == "yes" and not has_compiler():
         raise MissingDependencyError("numba is not installed; install rqt_mrta_py[compiled], or say compiled=auto")
+    scale = given["rate"] if given.get("noise_scale") == "rate" else math.sqrt(given["rate"])
     rules = Rules(
         parameterised="noise" in given,
         local=given["credit"] == "local",
@@ -101,7 +116,7 @@ def learning_settings(given: Mapping[str, Any]) -> LearningSettings:
         stiffness=given.get("stiffness", 0.0),
         bound=given.get("bound", 0.0),
         power=given.get("power", 1),
-        noise=given.get("noise", 0.0),
+        noise=given["noise"] * scale if "noise" in given else 0.0,
         enough_hits=given["enough_hits"] or RECENT + 1,
         converged=given["converged"] or 2.0,
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-__all__ = ["RECENT", "greatest_probability", "hits_among_recent"]
+__all__ = ["RECENT", "greatest", "hits_among_recent"]
 
 RECENT = 100
 """Runs of which it is asked how many had the least cost."""
@@ -34,12 +34,13 @@ def hits_among_recent(hits: int, costs: Any, run: int, begun: int, least: int) -
     return hits
 
 
-def greatest_probability(probabilities: Any, first: int, end: int) -> float:
-    """Give the greatest probability of an automaton's actions.
+def greatest(values: Any) -> float:
+    """Give the greatest of an automaton's probabilities or parameters.
 
-    Training ends when its mean over the automata that were selected is high enough: Dantas (2017), section 5.2.
+    Training ends when the mean of the greatest probabilities of the automata that were selected is high enough: Dantas
+    (2017), section 5.2.
     """
-    greatest: float = probabilities[first]
-    for action in range(first + 1, end):
-        greatest = max(greatest, probabilities[action])
-    return greatest
+    highest: float = values[0]
+    for index in range(1, values.size):
+        highest = max(highest, values[index])
+    return highest

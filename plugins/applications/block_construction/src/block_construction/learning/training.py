@@ -7,12 +7,12 @@ from typing import Any
 from block_construction.learning.credit import local_cost
 from block_construction.learning.drawing import draw_diagram
 from block_construction.learning.fala import chosen_probability, other_probability
-from block_construction.learning.memory import remember
+from block_construction.learning.memory import HELD, LEAST_HELD, TOTAL, remember
 from block_construction.learning.network import Network
 from block_construction.learning.pla import boltzmann, log_gradient, parameter_change, restoring_force
 from block_construction.learning.reward import reward
 from block_construction.learning.state import BEGUN, HITS, LEAST, RUN, Rules, State
-from block_construction.learning.stops import greatest_probability, hits_among_recent
+from block_construction.learning.stops import greatest, hits_among_recent
 
 __all__ = ["learn_parameters", "learn_probabilities", "train"]
 
@@ -33,78 +33,76 @@ def train(network: Network, rules: Rules, state: State, random: Any, until: int)
     Returns:
         Whether a stop criterion ended it before.
     """
-    tally, memory = state.tally, state.memory
+    # Looked up once: in the loop each would be counted in and out.
+    first, tally, selected, chosen = network.first, state.tally, state.selected, state.chosen
+    probabilities, parameters, best = state.probabilities, state.parameters, state.best
+    remembered, sums = state.memory.costs, state.memory.sums
+    costs, convergence = state.costs, state.convergence
     while tally[RUN] < until:
         tally[RUN] += 1
         run = tally[RUN]
         blocks, faults = draw_diagram(network, state, random)
         cost = blocks + faults
-        state.costs[run - 1] = cost
-        tally[HITS] = hits_among_recent(tally[HITS], state.costs, run, tally[BEGUN], tally[LEAST])
+        costs[run - 1] = cost
+        tally[HITS] = hits_among_recent(tally[HITS], costs, run, tally[BEGUN], tally[LEAST])
         if cost < tally[LEAST]:
             tally[LEAST] = cost
-            state.best[:] = -1
+            best[:] = -1
             for index in range(blocks):
-                state.best[state.selected[index]] = state.chosen[index]
+                best[selected[index]] = chosen[index]
         certainty = 0.0
         for index in range(blocks):
-            automaton, action = state.selected[index], state.chosen[index]
+            automaton, action = selected[index], chosen[index]
             told = local_cost(network, state.codes, action) if rules.local else cost
-            remember(memory, automaton, told)
-            first, end = network.first[automaton], network.first[automaton + 1]
-            if end - first == 1:
-                certainty += 1.0
-                continue
-            b = reward(memory.total[automaton] / memory.held[automaton], memory.least[automaton], told)
-            if rules.parameterised:
-                learn_parameters(network, rules, state, index, b, random)
-            else:
-                learn_probabilities(network, rules, state, index, b)
-            certainty += greatest_probability(state.probabilities, first, end)
-        state.convergence[run - 1] = certainty / blocks
-        if tally[HITS] >= rules.enough_hits or state.convergence[run - 1] >= rules.converged:
+            own = sums[automaton]
+            remember(remembered[automaton], own, told)
+            begin, end = first[automaton], first[automaton + 1]
+            if end - begin > 1:
+                b = reward(own[TOTAL] / own[HELD], own[LEAST_HELD], told)
+                if rules.parameterised:
+                    learn_parameters(rules, probabilities[begin:end], parameters[begin:end], action - begin, b, random)
+                else:
+                    learn_probabilities(rules, probabilities[begin:end], action - begin, b)
+            certainty += greatest(probabilities[begin:end])
+        convergence[run - 1] = certainty / blocks
+        if tally[HITS] >= rules.enough_hits or convergence[run - 1] >= rules.converged:
             return True
     return False
 
 
-def learn_probabilities(network: Network, rules: Rules, state: State, index: int, b: float) -> None:
+def learn_probabilities(rules: Rules, probabilities: Any, chosen: int, b: float) -> None:
     """Let an automaton of FALA learn.
 
     Args:
-        network: all automata.
-        rules: how they learn.
-        state: changed.
-        index: of the automaton among those that were selected.
+        rules: how it learns.
+        probabilities: of its actions; changed.
+        chosen: which of them.
         b: its reward.
     """
-    automaton = state.selected[index]
-    first, end = network.first[automaton], network.first[automaton + 1]
-    for action in range(first, end):
-        p = state.probabilities[action]
-        if action == state.chosen[index]:
-            state.probabilities[action] = chosen_probability(p, b, rules.rate, rules.penalty_rate)
+    for action in range(probabilities.size):
+        p = probabilities[action]
+        if action == chosen:
+            probabilities[action] = chosen_probability(p, b, rules.rate, rules.penalty_rate)
         else:
-            state.probabilities[action] = other_probability(p, b, rules.rate, rules.penalty_rate, end - first)
+            probabilities[action] = other_probability(p, b, rules.rate, rules.penalty_rate, probabilities.size)
 
 
 def learn_parameters(  # noqa: PLR0917 - numba knows no keyword-only arguments
-    network: Network, rules: Rules, state: State, index: int, b: float, random: Any
+    rules: Rules, probabilities: Any, parameters: Any, chosen: int, b: float, random: Any
 ) -> None:
     """Let an automaton of PLA learn, and stray.
 
     Args:
-        network: all automata.
-        rules: how they learn.
-        state: changed.
-        index: of the automaton among those that were selected.
+        rules: how it learns.
+        probabilities: of its actions; changed.
+        parameters: of its actions; changed.
+        chosen: which of them.
         b: its reward.
         random: a NumPy generator.
     """
-    automaton = state.selected[index]
-    first, end = network.first[automaton], network.first[automaton + 1]
-    for action in range(first, end):
-        gradient = log_gradient(state.probabilities[action], action == state.chosen[index])
-        force = restoring_force(state.parameters[action], rules.stiffness, rules.bound, rules.power)
+    for action in range(parameters.size):
+        gradient = log_gradient(probabilities[action], action == chosen)
+        force = restoring_force(parameters[action], rules.stiffness, rules.bound, rules.power)
         noise = rules.noise * random.standard_normal()
-        state.parameters[action] += parameter_change(b, gradient, force, noise, rules.rate)
-    boltzmann(state.parameters, state.probabilities, first, end)
+        parameters[action] += parameter_change(b, gradient, force, noise, rules.rate)
+    boltzmann(parameters, probabilities)
