@@ -1,4 +1,4 @@
-"""Part ``rates``: the cistern at all learning rates (table 6), and under local credit."""
+"""Part ``rates``: the cistern at all learning rates (table 6), and in other ways."""
 
 from __future__ import annotations
 
@@ -10,32 +10,30 @@ from team_measures.statistics.tables import MEANS, SHARES, estimate_line, estima
 from block_construction.experiments.part import Options
 from block_construction.experiments.published import RATE_RESULTS, RateResult
 from block_construction.experiments.trainings import Case, Sample, trained
+from block_construction.experiments.ways import SAMPLE_COLUMNS, WAY_NOTES, WAYS, sample_row
 from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Chart, Figure, Laboratory, Line, LineStyle
 
-__all__ = ["LOCAL_SETTINGS", "measure_rates"]
+__all__ = ["measure_rates"]
 
 _RUNS, _ITERATIONS = 100, 10_000
 _SCALED = "PLA, noise l1 s"
 _READINGS: Tuple[Tuple[str, Dict[str, Any]], ...] = (("PLA", {}), ("PLA", {"noise_scale": "rate"}), ("FALA", {}))
 
-LOCAL_SETTINGS: Dict[str, Dict[str, Any]] = {
-    "FALA": {"rate": 0.01, "credit": "local", "converged": 0.995},
-    "PLA": {"rate": 0.05, "credit": "local", "converged": 0.995},
-}
-"""Of trainings under local credit, by method."""
-
 
 def measure_rates(options: Options, laboratory: Laboratory) -> BenchmarkReport:
-    """Train on the cistern at all of the source's rates, and under local credit."""
+    """Train on the cistern at all of the source's rates, and in ways that differ."""
     rows = [(method, extra, row) for method, extra in _READINGS for row in RATE_RESULTS[method]]
     seeds, iterations = options.repetitions(_RUNS), options.iterations(_ITERATIONS)
     cases = [
         Case("cistern", method, {"rate": row.rate, "iterations": iterations, **extra}, seeds)
         for method, extra, row in rows
     ]
-    for method, settings in LOCAL_SETTINGS.items():
-        cases.append(Case("cistern", method, {**settings, "iterations": iterations}, seeds))
-    samples = trained(laboratory, cases)
+    ours = [
+        (way, Case("cistern", method, {**settings, "iterations": iterations}, seeds))
+        for way, by_method in WAYS.items()
+        for method, settings in by_method.items()
+    ]
+    samples = trained(laboratory, [*cases, *(case for _, case in ours)])
     table = BenchmarkTable(
         f"Table 6: the cistern at learning rates, J 100, {seeds} runs of at most {iterations} iterations",
         (
@@ -60,19 +58,13 @@ def measure_rates(options: Options, laboratory: Laboratory) -> BenchmarkReport:
         ),
     )
     local = BenchmarkTable(
-        f"The cistern under local credit, {seeds} runs of at most {iterations} iterations",
-        ("method", "rate", "cost", "hits", "iterations"),
+        f"The cistern in ways that differ from the source's, {seeds} runs of at most {iterations} iterations",
+        ("method", "way", "rate", *SAMPLE_COLUMNS),
         tuple(
-            (
-                sample.case.method,
-                sample.case.settings["rate"],
-                estimate_text(sample.cost, 2),
-                share_text(sample.hit_share),
-                estimate_text(sample.mean_iterations, 0),
-            )
-            for sample in samples[len(rows) :]
+            (case.method, way, case.settings["rate"], *sample_row(sample))
+            for (way, case), sample in zip(ours, samples[len(rows) :])
         ),
-        ("Differs from the source: each automaton is told the cost of its own block.", MEANS, SHARES),
+        (*WAY_NOTES, MEANS),
     )
     return BenchmarkReport((table, local), (_figure(samples[: len(rows)]),))
 

@@ -7,11 +7,10 @@ from typing import Any, Dict, List, Tuple
 from team_measures.statistics.estimates import estimated_mean
 from team_measures.statistics.tables import MEANS, estimate_text
 
-from block_construction.experiments.extensions import REOPENED_SETTINGS, SAMPLE_COLUMNS, sample_row
 from block_construction.experiments.part import Options
 from block_construction.experiments.published import STRUCTURE_RESULTS
-from block_construction.experiments.rates import LOCAL_SETTINGS
 from block_construction.experiments.trainings import Case, trained
+from block_construction.experiments.ways import SAMPLE_COLUMNS, WAY_NOTES, WAYS, sample_row
 from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Laboratory
 
 __all__ = ["measure_structures"]
@@ -21,16 +20,13 @@ _LITERAL: Dict[str, Any] = {"rate": 0.2, "converged": 0.95}
 
 
 def measure_structures(options: Options, laboratory: Laboratory) -> BenchmarkReport:
-    """Train on the structures by the source's settings, under local credit, and with automata that begin anew."""
+    """Train on the structures by the source's settings and in ways that differ."""
     seeds = options.repetitions(_RUNS)
     few, many = options.iterations(_ITERATIONS), options.iterations(_LOCAL_ITERATIONS)
     named: List[Tuple[str, Case]] = []
     for row in STRUCTURE_RESULTS:
-        ways = (
-            ("literal", {**_LITERAL, "iterations": few}),
-            ("local credit", {**LOCAL_SETTINGS[row.method], "iterations": many}),
-            ("local credit, begun anew", {**REOPENED_SETTINGS[row.method], "iterations": many}),
-        )
+        ways = [("literal", {**_LITERAL, "iterations": few})]
+        ways += [(way, {**by_method[row.method], "iterations": many}) for way, by_method in WAYS.items()]
         named += [(way, Case(row.structure, row.method, settings, seeds)) for way, settings in ways]
     published = {(row.structure, row.method): row for row in STRUCTURE_RESULTS}
     rows: List[Tuple[Any, ...]] = []
@@ -49,6 +45,7 @@ def measure_structures(options: Options, laboratory: Laboratory) -> BenchmarkRep
         (
             "Convergence: mean of the last 100 values. The station is a stand-in: as many cells, layers and levels.",
             "Literal: l1 0.2, J 100, global credit.",
+            *WAY_NOTES,
             MEANS,
         ),
     )
