@@ -10,5 +10,6 @@ packages = [
     "block_construction.experiments",
     "block_construction.learning",
     "block_construction.structure",
+    "block_construction.verbs",
 ]
 setup(**generate_distutils_setup(packages=packages, package_dir={"": "src"}))

@@ -139,7 +139,7 @@ from rqt_mrta_py.hooks.stream import (
     TeamOutgoing,
 )
 from rqt_mrta_py.hooks.task_orders import task_order
-from rqt_mrta_py.hooks.verb import Verb
+from rqt_mrta_py.hooks.verb import Verb, VerbFolder, VerbTools
 from rqt_mrta_py.hooks.world import Body, BodyState, Contact, PlacedRobot, World, WorldFactory, WorldSetup
 
 __all__ = [
@@ -282,6 +282,8 @@ __all__ = [
     "UnknownTaskNamed",
     "UsageError",
     "Verb",
+    "VerbFolder",
+    "VerbTools",
     "Voxel",
     "World",
     "WorldFactory",

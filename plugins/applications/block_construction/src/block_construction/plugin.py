@@ -7,9 +7,10 @@ from typing import Mapping
 from block_construction.exact.planner import EXACT
 from block_construction.experiments.benchmark import add_arguments, measure
 from block_construction.learning.planner import FALA, PLA
-from rqt_mrta_py.hooks import AssemblyPlanner, Benchmark, hookimpl
+from block_construction.verbs.plan_structure import PLAN_STRUCTURE
+from rqt_mrta_py.hooks import AssemblyPlanner, Benchmark, Verb, hookimpl
 
-__all__ = ["mrta_register_assembly_planners", "mrta_register_benchmarks"]
+__all__ = ["mrta_register_assembly_planners", "mrta_register_benchmarks", "mrta_register_verbs"]
 
 
 @hookimpl
@@ -23,3 +24,9 @@ def mrta_register_benchmarks() -> Mapping[str, Benchmark]:
     """Name the comparison with the source's tables."""
     about = "planning of block structures against the tables of the source and proved optima"
     return {"construction": Benchmark(about, add_arguments, measure)}
+
+
+@hookimpl
+def mrta_register_verbs() -> Mapping[str, Verb]:
+    """Name the verbs of planning."""
+    return {"plan-structure": PLAN_STRUCTURE}

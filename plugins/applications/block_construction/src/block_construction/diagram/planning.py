@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from typing import Any, Callable, Dict, Mapping, NamedTuple, Optional, Sequence, Tuple
 
@@ -83,6 +84,8 @@ def read_settings(defaults: Mapping[str, Any], given: Sequence[str]) -> Dict[str
         kind = type(defaults[key])
         try:
             found[key] = kind(text)
+            if kind is float and not math.isfinite(found[key]):
+                raise ValueError(text)
         except ValueError as error:
             raise ConstructionError(
                 f"setting {key}: {text!r}; accepted is {_KINDS.get(kind, kind.__name__)}"
@@ -90,4 +93,4 @@ def read_settings(defaults: Mapping[str, Any], given: Sequence[str]) -> Dict[str
     return found
 
 
-_KINDS: Mapping[type, str] = {int: "a whole number", float: "a number", str: "a word"}
+_KINDS: Mapping[type, str] = {int: "a whole number", float: "a finite number", str: "a word"}
