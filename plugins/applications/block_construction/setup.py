@@ -7,6 +7,7 @@ packages = [
     "block_construction",
     "block_construction.diagram",
     "block_construction.exact",
+    "block_construction.execution",
     "block_construction.experiments",
     "block_construction.learning",
     "block_construction.structure",

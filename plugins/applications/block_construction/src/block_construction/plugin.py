@@ -7,6 +7,7 @@ from typing import Mapping
 from block_construction.exact.planner import EXACT
 from block_construction.experiments.benchmark import add_arguments, measure
 from block_construction.learning.planner import FALA, PLA
+from block_construction.verbs.plan_build import PLAN_BUILD
 from block_construction.verbs.plan_structure import PLAN_STRUCTURE
 from rqt_mrta_py.hooks import AssemblyPlanner, Benchmark, Verb, hookimpl
 
@@ -29,4 +30,4 @@ def mrta_register_benchmarks() -> Mapping[str, Benchmark]:
 @hookimpl
 def mrta_register_verbs() -> Mapping[str, Verb]:
     """Name the verbs of planning."""
-    return {"plan-structure": PLAN_STRUCTURE}
+    return {"plan-build": PLAN_BUILD, "plan-structure": PLAN_STRUCTURE}
