@@ -10,6 +10,7 @@ packages = [
     "block_construction.execution",
     "block_construction.experiments",
     "block_construction.learning",
+    "block_construction.pictures",
     "block_construction.structure",
     "block_construction.verbs",
 ]

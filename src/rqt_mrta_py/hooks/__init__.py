@@ -7,7 +7,7 @@
 * ``agent``, ``allocator``, ``behaviour``, ``evaluator``, ``navigator``, ``robot_sensor``: on the robot
 * ``world``, ``robot_model``, ``sensor``, ``link``: in simulation
 * ``allocation``, ``pace``, ``incident``, ``oddity``, ``statistic``, ``measure``: in supervision
-* ``picture``, ``figure``: in pictures; ``curve_trace`` collects what a panel will show
+* ``picture``, ``figure``, ``drawing``: in pictures; ``curve_trace`` collects what a panel will show
 * ``parameters``: read and checked
 * ``exporter``, ``observer``: what else hears a mission
 * ``construction``: structures of blocks, and who plans them
@@ -47,6 +47,7 @@ from rqt_mrta_py.hooks.construction import (
     Voxel,
 )
 from rqt_mrta_py.hooks.curve_trace import CurveTrace, TeamTraces, nice_top
+from rqt_mrta_py.hooks.drawing import Area, Drawing, DrawingPanel, Shape, Stroke, Tint, Words
 from rqt_mrta_py.hooks.evaluator import SensorReading, SensoryEvaluator, SensoryEvaluatorFactory
 from rqt_mrta_py.hooks.exporter import Exporter, ExporterFactory, ExporterSetup, MessageExporter
 from rqt_mrta_py.hooks.figure import (
@@ -161,6 +162,7 @@ __all__ = [
     "Allocator",
     "AnyOutgoing",
     "Applicability",
+    "Area",
     "AssemblyOutcome",
     "AssemblyPlanner",
     "AssemblyRequest",
@@ -189,6 +191,8 @@ __all__ = [
     "CurvePanel",
     "CurveTrace",
     "Decision",
+    "Drawing",
+    "DrawingPanel",
     "Experiment",
     "Exporter",
     "ExporterFactory",
@@ -256,11 +260,13 @@ __all__ = [
     "SensorReading",
     "SensoryEvaluator",
     "SensoryEvaluatorFactory",
+    "Shape",
     "Sighting",
     "SimError",
     "Situation",
     "Stamped",
     "Statistic",
+    "Stroke",
     "Structure",
     "Subscription",
     "TaskApplicability",
@@ -275,6 +281,7 @@ __all__ = [
     "TeamSensor",
     "TeamSensorFactory",
     "TeamTraces",
+    "Tint",
     "TopicHeard",
     "TopicSilent",
     "Trial",
@@ -285,6 +292,7 @@ __all__ = [
     "VerbFolder",
     "VerbTools",
     "Voxel",
+    "Words",
     "World",
     "WorldFactory",
     "WorldSetup",

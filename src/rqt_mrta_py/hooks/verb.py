@@ -5,8 +5,9 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, Mapping, Protocol
+from typing import Any, Callable, Mapping, Protocol, Union
 
+from rqt_mrta_py.hooks.drawing import Drawing
 from rqt_mrta_py.hooks.figure import Figure
 
 __all__ = ["Verb", "VerbFolder", "VerbTools"]
@@ -27,8 +28,8 @@ class VerbFolder(Protocol):
         """
         ...
 
-    def draw(self, figure: Figure) -> None:
-        """Draw ``<name of the figure>.png``.
+    def draw(self, picture: Union[Figure, Drawing]) -> None:
+        """Draw ``<name of the picture>.png``.
 
         Raises:
             MrtaError: it cannot be drawn, or not be written.

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Callable, Mapping
+from typing import Any, Callable, Mapping, Union
 
-from rqt_mrta_py.app.guard import checked_figures
+from rqt_mrta_py.app.guard import checked_drawing, checked_figures
 from rqt_mrta_py.app.outputs.folder import OutputFolder
-from rqt_mrta_py.hooks import Figure, VerbFolder
+from rqt_mrta_py.hooks import Drawing, Figure, VerbFolder
 from rqt_mrta_py.hooks.manager import PluginManager
+from rqt_mrta_py.render.drawings import drawing_png
 from rqt_mrta_py.render.figures import figure_png
 
 __all__ = ["HostTools"]
@@ -25,10 +26,14 @@ class _Folder:
         """Write a text file, whole or not at all."""
         self._folder.write_text(name, text)
 
-    def draw(self, figure: Figure) -> None:
-        """Draw a figure to a file of its name."""
-        (checked,) = checked_figures(self._who, (figure,))
-        self._folder.write_bytes(f"{checked.name}.png", figure_png(checked))
+    def draw(self, picture: Union[Figure, Drawing]) -> None:
+        """Draw a figure or drawing to a file of its name."""
+        if isinstance(picture, Drawing):
+            drawing = checked_drawing(self._who, picture)
+            self._folder.write_bytes(f"{drawing.name}.png", drawing_png(drawing))
+            return
+        (figure,) = checked_figures(self._who, (picture,))
+        self._folder.write_bytes(f"{figure.name}.png", figure_png(figure))
 
 
 class HostTools:

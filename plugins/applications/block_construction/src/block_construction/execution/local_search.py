@@ -7,7 +7,8 @@ The beam keeps, after every block, the states with the least
 
 which is a lower bound of the whole group's length, for ways only grow longer as blocks are placed. Of two states with
 the same blocks placed and the same one placed last, the longer is dropped, as in the programme of ``exact``; a beam
-that drops no others finds what that finds. Afterwards each block is tried a few places earlier and later in its group.
+that drops no others finds what that finds. Afterwards each block is tried a few places earlier and later in its
+group; the same is done to the plan of ``greedy``, and the shorter one is taken.
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ from typing import TYPE_CHECKING, Callable, Dict, List, NamedTuple, Optional, Se
 import numpy as np
 
 from block_construction.errors import ConstructionError
+from block_construction.execution.cost import plan_cost
+from block_construction.execution.greedy import plan_greedily
 from block_construction.execution.order import Group
 from block_construction.execution.problem import START, BuildProblem, Step
 from block_construction.execution.supply import remaining_stock
@@ -87,9 +90,10 @@ def plan_locally(
                 )
             done += 1
             on_progress(0.9 * done / blocks)
-    steps = _polished(problem, _steps(min(states, key=lambda each: (each.length, each.step))))
+    found = [_steps(min(states, key=lambda each: (each.length, each.step))), list(plan_greedily(problem))]
+    polished = [_polished(problem, steps) for steps in found]
     on_progress(1.0)
-    return steps
+    return min(polished, key=lambda steps: (plan_cost(problem, steps).total, steps))
 
 
 class _Bounds(NamedTuple):

@@ -16,6 +16,8 @@ from block_construction.execution.plan_file import plan_csv, plan_document
 from block_construction.execution.planners import METHODS, PlannedBuild, plan_build
 from block_construction.execution.problem import BuildProblem
 from block_construction.execution.supply_file import supply_named
+from block_construction.pictures.curves import tried_figure
+from block_construction.pictures.ways import plan_drawing
 from block_construction.structure.drawings import MOST_BYTES
 from rqt_mrta_py.hooks import UsageError, Verb, VerbTools
 
@@ -36,7 +38,7 @@ def _add_arguments(parser: ArgumentParser) -> None:
         "--set", metavar="KEY=VALUE", dest="settings", action="append", default=[], help="a setting of the method"
     )
     parser.add_argument("--level-first", action="store_true", help="finish each level before the next is begun")
-    parser.add_argument("--out", metavar="DIR", type=Path, help="write the plan to this folder")
+    parser.add_argument("--out", metavar="DIR", type=Path, help="write plan and pictures to this folder")
     parser.add_argument("--force", action="store_true", help="write into DIR even if it is not empty")
     parser.add_argument("--json", action="store_true", help="print as JSON")
 
@@ -53,6 +55,12 @@ def _main(options: Namespace, tools: VerbTools) -> int:
     if folder is not None:
         folder.write("plan.json", json.dumps(plan_document(planned.plan), indent=1) + "\n")
         folder.write("plan.csv", plan_csv(planned.plan))
+        folder.draw(plan_drawing(planned.plan))
+        if planned.lengths:
+            title = (
+                f"{diagram.structure.name}: {planned.plan.cost.total:.2f} m by {options.method}, seed {options.seed}"
+            )
+            folder.draw(tried_figure("length", title, planned.lengths, "length [m]"))
     sys.stdout.write((json.dumps(_document(planned), indent=2) if options.json else _text(planned)) + "\n")
     return 0
 

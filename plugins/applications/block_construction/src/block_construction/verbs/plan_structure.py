@@ -12,6 +12,9 @@ from block_construction.diagram.block_set import DEFAULT_LENGTHS, block_lengths
 from block_construction.diagram.planning import PlannedDiagram, plan_diagram, read_settings
 from block_construction.diagram.table import diagram_csv, diagram_document
 from block_construction.errors import ConstructionError
+from block_construction.pictures.curves import tried_figure
+from block_construction.pictures.isometric import isometric_drawing
+from block_construction.pictures.levels import level_drawing
 from block_construction.structure.drawings import read_structure
 from rqt_mrta_py.hooks import UsageError, Verb, VerbTools
 
@@ -38,7 +41,7 @@ def _add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--set", metavar="KEY=VALUE", dest="settings", action="append", default=[], help="a setting of the planner"
     )
-    parser.add_argument("--out", metavar="DIR", type=Path, help="write the diagram to this folder")
+    parser.add_argument("--out", metavar="DIR", type=Path, help="write diagram and pictures to this folder")
     parser.add_argument("--force", action="store_true", help="write into DIR even if it is not empty")
     parser.add_argument("--json", action="store_true", help="print as JSON")
 
@@ -60,6 +63,11 @@ def _main(options: Namespace, tools: VerbTools) -> int:
         folder.write("diagram.json", json.dumps(diagram_document(planned.diagram), indent=1) + "\n")
         folder.write("diagram.csv", diagram_csv(planned.diagram))
         folder.write("plan.json", json.dumps(document, indent=2) + "\n")
+        folder.draw(level_drawing(planned.diagram))
+        folder.draw(isometric_drawing(planned.diagram))
+        if planned.costs:
+            title = f"{structure.name}: least cost {planned.diagram.cost} by {options.method}, seed {options.seed}"
+            folder.draw(tried_figure("cost", title, planned.costs, "cost: blocks and faults"))
     sys.stdout.write((json.dumps(document, indent=2) if options.json else _text(planned)) + "\n")
     return 0
 
