@@ -4,7 +4,7 @@
 * ``approach``: from where they are placed
 * ``order``: groups of blocks built one after another; ``ways``: how long ways are among placed blocks
 * ``problem``: all of these together; ``cost``: how far a plan drives
-* ``greedy``, ``subset_programme``, ``local_search``: methods; ``planners``: by name
+* ``greedy``, ``subset_programme``, ``local_search``, ``network``: methods; ``planners``: by name
 * ``plan``: what they come to; ``plan_file``: the same as files
 * ``corridor``, ``feasibility``: whether it can be carried out
 """

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Tuple
 
+import numpy as np
+
+from block_construction.errors import ConstructionError
 from block_construction.execution.feasibility import check_plan
 from block_construction.execution.greedy import plan_greedily
 from block_construction.execution.local_search import plan_locally
+from block_construction.execution.network import Learning, learn_plan
 from block_construction.execution.plan import BuildPlan, build_plan
 from block_construction.execution.problem import BuildProblem, Step
 from block_construction.execution.subset_programme import plan_exactly
@@ -111,11 +115,30 @@ def _local(request: BuildRequest) -> BuildOutcome:
     return BuildOutcome(plan_locally(request.problem, beam=beam, on_progress=request.on_progress))
 
 
+def _pla(request: BuildRequest) -> BuildOutcome:
+    settings = dict(request.settings)
+    runs = settings.pop("runs")
+    if runs < 1:
+        raise ConstructionError(f"setting runs: must be 1 or more (found {runs})")
+    learning = Learning(**settings)
+    found = []
+    for run in range(runs):
+        random = np.random.default_rng([request.seed % 2**64, run])
+
+        def on_progress(share: float, done: int = run) -> None:
+            request.on_progress((done + share) / runs)
+
+        found.append(learn_plan(request.problem, learning, random, on_progress))
+    best = min(found, key=lambda learned: min(learned.lengths))
+    return BuildOutcome(best.steps, lengths=best.lengths)
+
+
 METHODS: Mapping[str, BuildMethod] = {
     "exact": BuildMethod("the shortest plan, by a programme over subsets; up to 15 blocks a group", _exact, {}),
     "greedy": BuildMethod(
         "always the block with the least driving", lambda request: BuildOutcome(plan_greedily(request.problem)), {}
     ),
     "local": BuildMethod("a beam over subsets, then moves; for large structures", _local, {"beam": 128}),
+    "pla": BuildMethod("a network of learning automata, the best of runs", _pla, {"runs": 5, **asdict(Learning())}),
 }
 """By the name that ``--method`` uses."""

@@ -12,6 +12,7 @@ from team_measures.benchmark_parts import add_parts_argument, count, joined
 from block_construction.experiments.bounds import measure_parameters
 from block_construction.experiments.extensions import measure_extensions
 from block_construction.experiments.part import Options, Part
+from block_construction.experiments.plans import measure_plan_rates, measure_plans
 from block_construction.experiments.rates import measure_rates
 from block_construction.experiments.remembered import measure_memory
 from block_construction.experiments.structures import measure_structures
@@ -28,6 +29,8 @@ PARTS: Dict[str, Part] = {
     "rates": Part("the cistern by learning rate (table 6)", measure_rates),
     "extensions": Part("the horizontal and the vertical extension (table 7)", measure_extensions),
     "structures": Part("tower, dam, pyramid, station (tables 9, 11, 13, 15)", measure_structures),
+    "plans": Part("execution plans by method", measure_plans),
+    "plan-rates": Part("execution plans by PLA's rate and memory (table 8)", measure_plan_rates),
     "throughput": Part("iterations a second", measure_throughput),
 }
 """All parts, by name, in the order of measuring."""
