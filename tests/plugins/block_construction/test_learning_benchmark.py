@@ -107,7 +107,8 @@ def test_throughput_is_iterations_over_processor_time() -> None:
 
 
 def test_every_part_says_what_it_measures() -> None:
-    assert list(PARTS) == ["parameters", "memory", "rates", "extensions", "structures", "throughput"]
+    diagrams = ["parameters", "memory", "rates", "extensions", "structures"]
+    assert list(PARTS) == [*diagrams, "plans", "plan-rates", "throughput"]
     assert all(part.help for part in PARTS.values())
 
 
