@@ -101,7 +101,7 @@ def changed(**changes: Any) -> str:
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"schema": 1}, "p: schema: found '1'; accepted is 'rqt_mrta_py/build_plan/1'"),
+        ({"schema": 1}, "p: schema: found 1; accepted is 'rqt_mrta_py/build_plan/1'"),
         ({"steps": 1}, "p: steps: must be a list (found int)"),
         ({"steps": [{"place": 1}]}, "p: steps[0]: must have whole numbers place, block, heading_deg"),
         (
@@ -146,7 +146,11 @@ def test_the_verb_prints_the_plan_and_leaves_it(
     ("arguments", "status", "message"),
     [
         (("--supply", "corners", "--method", "wish"), 2, "mrta: --method wish: no such method; there are: "),
-        (("--supply", "nowhere"), 3, "mrta: nowhere: cannot be read as text"),
+        (
+            ("--supply", "nowhere"),
+            3,
+            "mrta: nowhere: cannot be read: No such file or directory; accepted",
+        ),
         (("--supply", "corners", "--set", "beam=x"), 3, "mrta: setting beam: 'x'; accepted is a whole number"),
     ],
 )

@@ -6,5 +6,5 @@ Universidade Federal do Maranhão, 2017 (in docstrings: Dantas 2017).
 * ``structure``: what shall be built; ``diagram``: which block where; ``exact``: proved optima; ``learning``: FALA, PLA
 * ``execution``: in which order, from where; ``pictures``: of all that
 * ``experiments``: the source's tables beside ours; ``verbs``: on the command line
-* ``errors``: what makes it impossible; ``plugin``: the hooks
+* ``documents``: files of users; ``errors``: what makes it impossible; ``plugin``: the hooks
 """

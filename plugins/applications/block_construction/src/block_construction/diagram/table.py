@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import math
 from typing import Any, Dict, List, Mapping, Sequence
 
 from block_construction.diagram.diagram import AssemblyDiagram, assembly_diagram
+from block_construction.documents import parsed_document
 from block_construction.errors import ConstructionError
 from block_construction.structure.voxels import check_size
 from rqt_mrta_py.hooks import BlockPlacement, Structure
@@ -58,16 +58,7 @@ def read_diagram(name: str, text: str) -> AssemblyDiagram:
     Raises:
         ConstructionError: it is no such document, or its blocks do not cover its structure; says where.
     """
-    try:
-        document = json.loads(text)
-    except (ValueError, RecursionError) as error:
-        raise ConstructionError(f"{name}: no JSON ({error})") from error
-    if not isinstance(document, dict) or document.get("schema") != SCHEMA:
-        found = document.get("schema") if isinstance(document, dict) else type(document).__name__
-        raise ConstructionError(f"{name}: schema: found {found!r}; accepted is {SCHEMA!r}")
-    missing = next((key for key in _KEYS if key not in document), None)
-    if missing is not None:
-        raise ConstructionError(f"{name}: {missing}: missing; a diagram has {', '.join(_KEYS)}")
+    document = parsed_document(name, text, SCHEMA, _KEYS)
     heights = [_numbers(name, f"heights[{row}]", each) for row, each in enumerate(_items(name, document, "heights"))]
     if heights:
         check_size(

@@ -9,6 +9,7 @@ import math
 from typing import Any, Dict, List, Tuple
 
 from block_construction.diagram.table import diagram_document, read_diagram
+from block_construction.documents import parsed_document
 from block_construction.errors import ConstructionError
 from block_construction.execution.approach import SIDES, Side, approach_from
 from block_construction.execution.arena import site_of
@@ -80,16 +81,7 @@ def read_plan(name: str, text: str) -> BuildPlan:
     Raises:
         ConstructionError: it is no such document, or its plan cannot be carried out; says where.
     """
-    try:
-        document = json.loads(text)
-    except (ValueError, RecursionError) as error:
-        raise ConstructionError(f"{name}: no JSON ({error})") from error
-    if not isinstance(document, dict) or document.get("schema") != SCHEMA:
-        found = document.get("schema") if isinstance(document, dict) else type(document).__name__
-        raise ConstructionError(f"{name}: schema: found {str(found)[:80]!r}; accepted is {SCHEMA!r}")
-    missing = next((key for key in _KEYS if key not in document), None)
-    if missing is not None:
-        raise ConstructionError(f"{name}: {missing}: missing; a plan has {', '.join(_KEYS)}")
+    document = parsed_document(name, text, SCHEMA, _KEYS)
     diagram = read_diagram(f"{name}: diagram", json.dumps(document["diagram"]))
     supply = supply_of(f"{name}: supply", document["supply"])
     steps = _steps(name, document["steps"])

@@ -10,6 +10,7 @@ from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Tup
 
 import yaml
 
+from block_construction.documents import bounded_text
 from block_construction.errors import ConstructionError
 from block_construction.execution.arena import Arena
 from block_construction.execution.supply import SupplyPlace, corner_places
@@ -50,14 +51,9 @@ def supply_named(given: str) -> Supply:
         return Supply(arena, corner_places(arena, _CORNERS[given]))
     path = Path(given)
     try:
-        size = path.stat().st_size
-        if size > _MOST_BYTES:
-            raise ConstructionError(f"{given}: {size} bytes; at most {_MOST_BYTES} are accepted")
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise ConstructionError(
-            f"{given}: cannot be read as text ({error}); accepted are a YAML or JSON file, or {', '.join(_CORNERS)}"
-        ) from error
+        text = bounded_text(path, _MOST_BYTES)
+    except ConstructionError as error:
+        raise ConstructionError(f"{error}; accepted are a YAML or JSON file, or {', '.join(_CORNERS)}") from error
     return read_supply(path.name, text)
 
 

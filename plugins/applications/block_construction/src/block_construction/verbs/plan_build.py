@@ -8,10 +8,9 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import Any, Dict
 
-from block_construction.diagram.diagram import AssemblyDiagram
 from block_construction.diagram.planning import read_settings
 from block_construction.diagram.table import read_diagram
-from block_construction.errors import ConstructionError
+from block_construction.documents import bounded_text
 from block_construction.execution.plan_file import plan_csv, plan_document
 from block_construction.execution.planners import METHODS, PlannedBuild, plan_build
 from block_construction.execution.problem import BuildProblem
@@ -47,7 +46,7 @@ def _main(options: Namespace, tools: VerbTools) -> int:
     if options.method not in METHODS:
         raise UsageError(f"--method {options.method}: no such method; there are: {', '.join(sorted(METHODS))}")
     settings = read_settings(METHODS[options.method].defaults, options.settings)
-    diagram = _diagram(options.diagram)
+    diagram = read_diagram(options.diagram.name, bounded_text(options.diagram, MOST_BYTES))
     supply = supply_named(options.supply)
     folder = None if options.out is None else tools.folder(options.out, force=options.force)
     problem = BuildProblem(diagram, supply.places, supply.arena, level_first=options.level_first)
@@ -63,16 +62,6 @@ def _main(options: Namespace, tools: VerbTools) -> int:
             folder.draw(tried_figure("length", title, planned.lengths, "length [m]"))
     sys.stdout.write((json.dumps(_document(planned), indent=2) if options.json else _text(planned)) + "\n")
     return 0
-
-
-def _diagram(path: Path) -> AssemblyDiagram:
-    try:
-        size = path.stat().st_size
-        if size > MOST_BYTES:
-            raise ConstructionError(f"{path}: {size} bytes; at most {MOST_BYTES} are accepted")
-        return read_diagram(path.name, path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError) as error:
-        raise ConstructionError(f"{path}: cannot be read as text: {error}") from error
 
 
 def _document(planned: PlannedBuild) -> Dict[str, Any]:
