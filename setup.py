@@ -20,9 +20,10 @@ EXTRAS = {
 }
 EXTRAS["all"] = [requirement for name in sorted(EXTRAS) for requirement in EXTRAS[name]]
 # Large, and wanted by few: decisions of thousands of robots, compiled (the last version for Python 3.8 is 0.58), and
-# what routes of the multiple travelling robot problem are measured against.
+# what proves assembly diagrams and routes of the multiple travelling robot problem.
 EXTRAS["compiled"] = ["numba>=0.56,<1"]
-EXTRAS["references"] = ["ortools>=9.8,<10", "pyvrp>=0.14,<0.15; python_version >= '3.11'"]
+EXTRAS["exact"] = ["ortools>=9.10,<10"]
+EXTRAS["references"] = [*EXTRAS["exact"], "pyvrp>=0.14,<0.15; python_version >= '3.11'"]
 # Formats of other programs: MCAP files, Parquet tables.
 EXTRAS["mcap"] = ["mcap>=1.1,<2"]
 EXTRAS["parquet"] = ["pyarrow>=12,<30"]

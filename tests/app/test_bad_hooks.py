@@ -10,7 +10,11 @@ from rqt_mrta_py.hooks.contract import HOOKS
 from tests.app.outputs import Mrta
 
 REGISTERS = [hook for hook in HOOKS if hook.startswith("mrta_register_")]
-COMMANDS = {"mrta_register_verbs": ["any"], "mrta_register_benchmarks": ["bench"]}
+COMMANDS = {
+    "mrta_register_assembly_planners": ["plan-structure", "wall", "--method", "exact"],
+    "mrta_register_verbs": ["any"],
+    "mrta_register_benchmarks": ["bench"],
+}
 RUN = [
     *("run", "border_patrol", "--duration", "1", "--processes", "1", "--pictures", "0.5"),
     *("--export", "csv", "--figures", "alliance"),

@@ -151,6 +151,15 @@ def test_costs_come_in_the_order_of_teams_and_progress_is_told(host: Host) -> No
     assert told == [0.0, 1.0, 2.0]
 
 
+@pytest.mark.parametrize("processes", [1, 2])
+def test_other_work_is_shared_too_and_its_outcomes_keep_their_order(host: Host, processes: int) -> None:
+    told: List[float] = []
+    laboratory = EmbeddedLaboratory(host, processes, lambda done, planned: told.append(done / planned))
+    assert list(laboratory.outcomes(lambda item: item**2, [3, 1, 2])) == [9, 1, 4]
+    assert told == [0.0, 1 / 3, 2 / 3, 1.0]
+    assert multiprocessing.active_children() == []
+
+
 def test_an_error_in_an_idle_team_names_architecture_and_team(host: Host) -> None:
     with pytest.raises(ExperimentError, match=r"^nobody, 2 idle robots: nobody: "):
         list(EmbeddedLaboratory(host).costs([idle_team("nobody")]))

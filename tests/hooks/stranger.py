@@ -14,10 +14,14 @@ from rqt_mrta_py.hooks import (
     AllocationProblem,
     AllocationSign,
     AllocationStarted,
+    AssemblyOutcome,
+    AssemblyPlanner,
+    AssemblyRequest,
     BehaviourSetup,
     BehaviourStep,
     Benchmark,
     BenchmarkTable,
+    BlockPlacement,
     Chart,
     Command,
     Curve,
@@ -54,6 +58,7 @@ from rqt_mrta_py.hooks import (
     TeamMoment,
     TeamOutgoing,
     Verb,
+    VerbTools,
     hookimpl,
 )
 from rqt_mrta_py.model import (
@@ -368,8 +373,10 @@ def _depth(parser: ArgumentParser) -> None:
     parser.add_argument("--depth", type=float, default=1.0)
 
 
-def _dig(options: Namespace) -> int:
-    sys.stdout.write(f"dug {options.depth} m\n")
+def _dig(options: Namespace, tools: VerbTools) -> int:
+    """Dig, and say who plans what is built on top."""
+    planners = tools.registered("mrta_register_assembly_planners")
+    sys.stdout.write(f"dug {options.depth} m below what {', '.join(planners)} plans\n")
     return 1
 
 
@@ -436,6 +443,15 @@ class Stranger:
     @hookimpl
     def mrta_register_message_observers(self) -> Mapping[str, Any]:
         return {"neighbour": lambda setup: Neighbour(self.overheard)}
+
+    @hookimpl
+    def mrta_register_assembly_planners(self) -> Mapping[str, Any]:
+        def plan(request: AssemblyRequest) -> AssemblyOutcome:
+            heights = enumerate(request.structure.heights, 1)
+            cells = [(x, y, z + 1) for y, row in heights for x, each in enumerate(row, 1) for z in range(each)]
+            return AssemblyOutcome(tuple(BlockPlacement(*cell, 1) for cell in cells))
+
+        return {"molehill": AssemblyPlanner("crumb by crumb", plan, {})}
 
     @hookimpl
     def mrta_register_verbs(self) -> Mapping[str, Any]:

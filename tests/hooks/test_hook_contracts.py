@@ -229,9 +229,14 @@ def test_hook_mrta_register_message_observers_hears_the_stream(story: Story) -> 
     assert {heard.robot for heard in story.stranger.overheard} == {"mole1"}
 
 
+def test_hook_mrta_register_assembly_planners_is_found_by_verbs(host: Host, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["dig-deeper"]) == 1
+    assert capsys.readouterr().out == "dug 1.0 m below what molehill plans\n"
+
+
 def test_hook_mrta_register_verbs_adds_to_the_command(host: Host, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["dig-deeper", "--depth", "2"]) == 1
-    assert capsys.readouterr().out == "dug 2.0 m\n"
+    assert capsys.readouterr().out == "dug 2.0 m below what molehill plans\n"
 
 
 def test_hook_mrta_register_benchmarks_is_measured(host: Host, capsys: pytest.CaptureFixture[str]) -> None:

@@ -14,7 +14,7 @@ from rqt_mrta_py.hooks.contract import HOOKS
 from rqt_mrta_py.model import Event, Severity
 
 EVENT = Event(1.0, "robot_state", Severity.INFO, "robot1 is idle")
-VERB = Verb("does nothing", lambda parser: None, lambda options: 0)
+VERB = Verb("does nothing", lambda parser: None, lambda options, tools: 0)
 CHECK: Dict[str, Any] = {"architecture": "a", "robot_id": "r", "parameters": {}, "tasks": ()}
 
 

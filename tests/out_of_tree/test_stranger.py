@@ -259,7 +259,17 @@ def test_hook_mrta_on_mission_end(run: Run) -> None:
 def test_hook_mrta_register_verbs(stranger: Stranger) -> None:
     heap = stranger.mrta("molehill", "5")
     assert (heap.returncode, heap.stdout) == (0, "ooooo\n")
-    assert stranger.mrta("molehill", "10").returncode == 1
+    assert stranger.mrta("molehill", "10", "--out", "heaps").returncode == 1
+    assert (stranger.folder / "heaps/heap.txt").read_text(encoding="utf-8") == "10\n"
+    assert (stranger.folder / "heaps/heap.png").read_bytes().startswith(b"\x89PNG")
+    again = stranger.mrta("molehill", "1", "--out", "heaps")
+    assert (again.returncode, "the folder is not empty" in again.stderr) == (2, True)
+
+
+def test_hook_mrta_register_assembly_planners(stranger: Stranger) -> None:
+    planned = stranger.mrta("plan-structure", "wall", "--method", "crumbs", "--set", "worms=3", "--json")
+    assert planned.returncode == 0, planned.stderr
+    assert json.loads(planned.stdout)["counts"] == {"1": 14, "2": 0, "3": 0}
 
 
 def test_hook_mrta_register_benchmarks(stranger: Stranger) -> None:

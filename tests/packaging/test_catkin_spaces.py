@@ -19,6 +19,7 @@ pytestmark = pytest.mark.ros
 
 PLUGINS = {
     "basic_behaviours",
+    "block_construction",
     "csv_tables",
     "mcap_recordings",
     "mission_journal",

@@ -7,9 +7,10 @@
 * ``agent``, ``allocator``, ``behaviour``, ``evaluator``, ``navigator``, ``robot_sensor``: on the robot
 * ``world``, ``robot_model``, ``sensor``, ``link``: in simulation
 * ``allocation``, ``pace``, ``incident``, ``oddity``, ``statistic``, ``measure``: in supervision; ``grounds``: why
-* ``picture``, ``figure``: in pictures; ``curve_trace`` collects what a panel will show
+* ``picture``, ``figure``, ``drawing``: in pictures; ``curve_trace`` collects what a panel will show
 * ``parameters``: read and checked
 * ``exporter``, ``observer``: what else hears a mission
+* ``construction``: structures of blocks, and who plans them
 * ``verb``, ``benchmark``, ``laboratory``: on the command line
 * ``task_orders``: what operators say of tasks
 
@@ -37,7 +38,16 @@ from rqt_mrta_py.hooks.behaviour import (
     Perception,
 )
 from rqt_mrta_py.hooks.benchmark import Benchmark, BenchmarkReport, BenchmarkTable
+from rqt_mrta_py.hooks.construction import (
+    AssemblyOutcome,
+    AssemblyPlanner,
+    AssemblyRequest,
+    BlockPlacement,
+    Structure,
+    Voxel,
+)
 from rqt_mrta_py.hooks.curve_trace import CurveTrace, TeamTraces, nice_top
+from rqt_mrta_py.hooks.drawing import Area, Drawing, DrawingPanel, Shape, Stroke, Tint, Words
 from rqt_mrta_py.hooks.evaluator import SensorReading, SensoryEvaluator, SensoryEvaluatorFactory
 from rqt_mrta_py.hooks.exporter import Exporter, ExporterFactory, ExporterSetup, MessageExporter
 from rqt_mrta_py.hooks.figure import (
@@ -131,7 +141,7 @@ from rqt_mrta_py.hooks.stream import (
     TeamOutgoing,
 )
 from rqt_mrta_py.hooks.task_orders import task_order
-from rqt_mrta_py.hooks.verb import Verb
+from rqt_mrta_py.hooks.verb import Verb, VerbFolder, VerbTools
 from rqt_mrta_py.hooks.world import Body, BodyState, Contact, PlacedRobot, World, WorldFactory, WorldSetup
 
 __all__ = [
@@ -154,6 +164,10 @@ __all__ = [
     "Allocator",
     "AnyOutgoing",
     "Applicability",
+    "Area",
+    "AssemblyOutcome",
+    "AssemblyPlanner",
+    "AssemblyRequest",
     "Behaviour",
     "BehaviourFactory",
     "BehaviourSetup",
@@ -161,6 +175,7 @@ __all__ = [
     "Benchmark",
     "BenchmarkReport",
     "BenchmarkTable",
+    "BlockPlacement",
     "Body",
     "BodySight",
     "BodyState",
@@ -178,6 +193,8 @@ __all__ = [
     "CurvePanel",
     "CurveTrace",
     "Decision",
+    "Drawing",
+    "DrawingPanel",
     "Experiment",
     "Exporter",
     "ExporterFactory",
@@ -248,11 +265,14 @@ __all__ = [
     "SensorReading",
     "SensoryEvaluator",
     "SensoryEvaluatorFactory",
+    "Shape",
     "Sighting",
     "SimError",
     "Situation",
     "Stamped",
     "Statistic",
+    "Stroke",
+    "Structure",
     "Subscription",
     "TaskApplicability",
     "TaskClaimed",
@@ -266,6 +286,7 @@ __all__ = [
     "TeamSensor",
     "TeamSensorFactory",
     "TeamTraces",
+    "Tint",
     "TopicHeard",
     "TopicSilent",
     "Trial",
@@ -273,6 +294,10 @@ __all__ = [
     "UnknownTaskNamed",
     "UsageError",
     "Verb",
+    "VerbFolder",
+    "VerbTools",
+    "Voxel",
+    "Words",
     "World",
     "WorldFactory",
     "WorldSetup",

@@ -8,6 +8,7 @@ from collections import abc
 from typing import Iterator, Mapping, Optional, Pattern, Sequence, Tuple
 
 from rqt_mrta_py.hooks.benchmark import Benchmark
+from rqt_mrta_py.hooks.construction import AssemblyPlanner
 from rqt_mrta_py.hooks.robot_model import RobotModel
 from rqt_mrta_py.hooks.stream import Outgoing, OutgoingRows, TeamOutgoing
 from rqt_mrta_py.hooks.verb import Verb
@@ -16,6 +17,7 @@ from rqt_mrta_py.wording import shown
 __all__ = ["json_breach", "message_breach", "registration_breach", "rows_breach", "team_message_breach"]
 
 _TYPES: Mapping[str, type] = {
+    "mrta_register_assembly_planners": AssemblyPlanner,
     "mrta_register_benchmarks": Benchmark,
     "mrta_register_robot_models": RobotModel,
     "mrta_register_verbs": Verb,
@@ -27,6 +29,7 @@ _STR = frozenset((str,))
 _WORD = (re.compile(r"[a-z0-9]+([-_][a-z0-9]+)*"), "lower case letters and digits, joined by '-' or '_'")
 
 _NAMES: Mapping[str, Tuple[Pattern[str], str]] = {
+    "mrta_register_assembly_planners": _WORD,
     "mrta_register_benchmarks": _WORD,
     "mrta_register_exporters": _WORD,
     "mrta_register_figures": _WORD,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Callable, Iterator, Mapping, Optional, Protocol, Sequence, Tuple
+from typing import Any, Callable, Iterator, Mapping, Optional, Protocol, Sequence, Tuple, TypeVar
 
 from rqt_mrta_py.hooks.agent import Agent, AgentSetup
 from rqt_mrta_py.model import MapKnowledge, MissionRecord, RadioSetup, ScenarioEvent
@@ -12,6 +12,9 @@ __all__ = ["AgentChange", "Experiment", "IdleTeam", "Laboratory", "TeamCost", "T
 
 AgentChange = Callable[[AgentSetup, Agent], Agent]
 """From what an agent was made of, and the agent, to the one that takes its place: perhaps one that misbehaves."""
+
+_Item = TypeVar("_Item")
+_Outcome = TypeVar("_Outcome")
 
 
 @dataclass(frozen=True)
@@ -104,7 +107,7 @@ class TeamCost:
 
 
 class Laboratory(Protocol):
-    """Carries out experiments, and measures what agents cost."""
+    """Carries out experiments and other work on all cores, and measures what agents cost."""
 
     def trials(self, experiments: Sequence[Experiment]) -> Iterator[Trial]:
         """Carry experiments out, on all cores, and give what came of each, in their order.
@@ -119,5 +122,18 @@ class Laboratory(Protocol):
 
         Raises:
             MrtaError: a team cannot be made, or fails; names architecture and team.
+        """
+        ...
+
+    def outcomes(self, work: Callable[[_Item], _Outcome], items: Sequence[_Item]) -> Iterator[_Outcome]:
+        """Do work of any other kind on all cores, piece by piece, and give what came of each, in their order.
+
+        Args:
+            work: of one item; its outcome depends on the item alone, and can be pickled. What is loaded or compiled
+                beforehand, all processes have.
+            items: any that work takes.
+
+        Raises:
+            BaseException: what the work raised for the first item, in their order, for which it raised.
         """
         ...

@@ -23,6 +23,7 @@ from rqt_mrta_py.hooks.allocation import AllocationInterpreterFactory
 from rqt_mrta_py.hooks.allocator import Allocator
 from rqt_mrta_py.hooks.behaviour import BehaviourFactory
 from rqt_mrta_py.hooks.benchmark import Benchmark
+from rqt_mrta_py.hooks.construction import AssemblyPlanner
 from rqt_mrta_py.hooks.evaluator import SensoryEvaluatorFactory
 from rqt_mrta_py.hooks.exporter import ExporterFactory
 from rqt_mrta_py.hooks.figure import FigureMakerFactory
@@ -278,6 +279,16 @@ class HookSpecs:
         Returns: factory by the observer's name.
         Combined: joined; the first registration of a name wins; observers are told in the order of their names.
         An exception: stops the command; an observer that raises, or cannot be made, is logged and hears no more.
+        """
+
+    @hookspec
+    def mrta_register_assembly_planners(self) -> Mapping[str, AssemblyPlanner]:  # type: ignore[empty-body]
+        """Name who decides of which blocks a structure is put together.
+
+        Called: once, when a verb or benchmark asks for planners.
+        Returns: planner by the name that ``--method`` uses.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command; one raised while planning stops it too.
         """
 
     @hookspec

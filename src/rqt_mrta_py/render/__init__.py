@@ -8,7 +8,7 @@
 * ``dashboard``: the whole; its parts are in ``charts``
 * ``report``: the whole as a page to walk through
 * ``figures``: charts that missions and benchmarks leave
-* ``network``: nodes and topics
+* ``network``: nodes and topics; ``drawings``: plans and views that verbs leave
 * ``layout``, ``canvas``, ``text``, ``labels``, ``signs``, ``stamps``, ``palette``, ``times``, ``spells``,
   ``foremost``: what parts are drawn with
 * ``markers``: the scene for RViz and its like; ``explaining``: why tasks went to whom they went, in words

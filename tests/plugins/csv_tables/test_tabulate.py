@@ -6,13 +6,14 @@ import json
 from argparse import ArgumentParser
 from pathlib import Path
 from typing import Any, Dict, List
+from unittest.mock import Mock
 
 import csv_tables.plugin
 import pytest
 from csv_tables.exporter import CsvExporter
 from csv_tables.tabulate import TABULATE
 
-from rqt_mrta_py.hooks import MrtaError, UsageError
+from rqt_mrta_py.hooks import MrtaError, UsageError, VerbTools
 from rqt_mrta_py.hooks.manager import PluginManager
 
 SUMMARY: Dict[str, Any] = {
@@ -45,7 +46,7 @@ def write(folder: Path, summary: Any) -> Path:
 def tabulate(*arguments: object) -> int:
     parser = ArgumentParser()
     TABULATE.add_arguments(parser)
-    return TABULATE.main(parser.parse_args([str(argument) for argument in arguments]))
+    return TABULATE.main(parser.parse_args([str(argument) for argument in arguments]), Mock(spec=VerbTools))
 
 
 def read(content: bytes) -> List[Dict[str, str]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Callable, Dict, Iterator, Optional, Sequence, Tuple
+from typing import Callable, Dict, Iterator, Optional, Sequence, Tuple, TypeVar
 
 from rqt_mrta_py.app.bench.apart import apart
 from rqt_mrta_py.app.bench.experiments import ExperimentMissions
@@ -14,6 +14,9 @@ from rqt_mrta_py.errors import MrtaError
 from rqt_mrta_py.hooks import Experiment, IdleTeam, TeamCost, Trial
 
 __all__ = ["EmbeddedLaboratory", "ExperimentError"]
+
+_Item = TypeVar("_Item")
+_Outcome = TypeVar("_Outcome")
 
 
 class ExperimentError(MrtaError):
@@ -51,15 +54,11 @@ class EmbeddedLaboratory:
             ExperimentError: one cannot be carried out; names application and seed.
         """
         missions = ExperimentMissions(self._host)
-        planned = len(experiments)
 
         def carry_out(experiment: Experiment) -> Trial:
             return _carried_out(missions, experiment)
 
-        self._progress(0.0, float(planned))
-        for number, trial in enumerate(in_order(carry_out, experiments, self._processes), start=1):
-            self._progress(float(number), float(planned))
-            yield trial
+        yield from self.outcomes(carry_out, experiments)
 
     def costs(self, teams: Sequence[IdleTeam]) -> Iterator[TeamCost]:
         """Measure what teams cost, one after the other, each in a process of its own, in their order."""
@@ -73,6 +72,16 @@ class EmbeddedLaboratory:
                 raise told from error
             self._progress(float(number), float(len(teams)))
             yield TeamCost(team, messages, processor_time)
+
+    def outcomes(self, work: Callable[[_Item], _Outcome], items: Sequence[_Item]) -> Iterator[_Outcome]:
+        """Do work of any other kind on all cores, piece by piece, and give what came of each, in their order.
+
+        Who stops listening, by an exception or for good, ends the processes.
+        """
+        self._progress(0.0, float(len(items)))
+        for number, outcome in enumerate(in_order(work, items, self._processes), start=1):
+            self._progress(float(number), float(len(items)))
+            yield outcome
 
 
 def _cost_of(host: Host, team: IdleTeam) -> Tuple[Dict[str, int], float]:

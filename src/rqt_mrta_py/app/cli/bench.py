@@ -49,7 +49,7 @@ def main(options: argparse.Namespace) -> int:
     prepared(host.manager, options.name, parser)
     own = parser.parse_args(options.rest)
     folder = None if own.out is None else OutputFolder.create(own.out, options.name, own.force)
-    with ProgressLine(options.name, own.quiet, unit="missions") as progress:
+    with ProgressLine(options.name, own.quiet, unit="trials") as progress:
         report = measured(host.manager, options.name, own, EmbeddedLaboratory(host, progress=progress))
     if folder is not None:
         write_report(folder, options.name, report)

@@ -6,7 +6,7 @@ import argparse
 import logging
 from typing import Any, Dict, NamedTuple, Sequence
 
-from rqt_mrta_py.app.cli.common import complain_about
+from rqt_mrta_py.app.cli.common import ProgressLine, complain_about
 from rqt_mrta_py.app.cli.stdout import standard_output
 from rqt_mrta_py.app.guard import guarded
 from rqt_mrta_py.errors import HookError, MrtaError, UsageError
@@ -19,11 +19,12 @@ _HOOK = "mrta_register_verbs"
 
 
 class _PluginVerb(NamedTuple):
-    """One verb, and who messages say it is."""
+    """One verb, its name, who messages say it is, and the plugins of this command."""
 
+    name: str
     who: str
     verb: Any
-    patience: Any
+    manager: Any
 
 
 def add_plugin_verb(name: str, own: Sequence[str], verbs: Any, common: argparse.ArgumentParser) -> None:
@@ -45,7 +46,7 @@ def add_plugin_verb(name: str, own: Sequence[str], verbs: Any, common: argparse.
     plugin_verb = found[name]
     who, verb = plugin_verb.who, plugin_verb.verb
     parser = verbs.add_parser(name, parents=[common], description=verb.help)
-    with plugin_verb.patience.limit(f"{who}: add_arguments"):
+    with plugin_verb.manager.patience.limit(f"{who}: add_arguments"):
         guarded(f"{who}: add_arguments", verb.add_arguments, parser)
     guarded(f"{who}: its help page", parser.format_help)
     parser.set_defaults(main=lambda options: _run(plugin_verb, options))
@@ -81,12 +82,16 @@ def _load(own: Sequence[str]) -> Dict[str, _PluginVerb]:
         elif not (isinstance(verb.help, str) and callable(verb.add_arguments) and callable(verb.main)):
             raise HookError(f"{who}: help must be a text, add_arguments and main functions")
         else:
-            found[name] = _PluginVerb(who, verb, host.manager.patience)
+            found[name] = _PluginVerb(name, who, verb, host.manager)
     return found
 
 
 def _run(plugin_verb: _PluginVerb, options: argparse.Namespace) -> int:
-    status: Any = guarded(plugin_verb.who, plugin_verb.verb.main, options)
+    from rqt_mrta_py.app.cli.verb_tools import HostTools
+
+    with ProgressLine(plugin_verb.name, options.quiet, unit="%") as progress:
+        tools = HostTools(plugin_verb.who, plugin_verb.manager, progress)
+        status: Any = guarded(plugin_verb.who, plugin_verb.verb.main, options, tools)
     if not isinstance(status, int):
         raise HookError(f"{plugin_verb.who}: returned {shown(status)}; an exit status is needed")
     with standard_output():

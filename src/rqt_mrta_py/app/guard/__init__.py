@@ -4,12 +4,14 @@
 * ``navigator``, ``allocator``, ``senses``: between agents or behaviours and what they work with
 * ``panel``, ``renderer``, ``exporter``, ``message_exporter``, ``figure``, ``measure``: on the watching side
 * ``grounds``: there too, but never in the way of a review
+* ``drawing``: what verbs leave
 """
 
 from __future__ import annotations
 
 from rqt_mrta_py.app.guard.allocator import guarded_allocators
 from rqt_mrta_py.app.guard.asking import guarded, made, makers, wishes_of
+from rqt_mrta_py.app.guard.drawing import checked_drawing
 from rqt_mrta_py.app.guard.exporter import GuardedExporter
 from rqt_mrta_py.app.guard.figure import GuardedFigureMaker, checked_figures
 from rqt_mrta_py.app.guard.grounds import GuardedGrounds
@@ -28,6 +30,7 @@ __all__ = [
     "GuardedMessageExporter",
     "GuardedNavigator",
     "GuardedPanel",
+    "checked_drawing",
     "checked_figures",
     "guarded",
     "guarded_allocators",

@@ -11,7 +11,7 @@ from typing import List
 
 from csv_tables.digest import Digest, columns_of, read_digest
 from csv_tables.table import csv_bytes
-from rqt_mrta_py.hooks import MrtaError, UsageError, Verb
+from rqt_mrta_py.hooks import MrtaError, UsageError, Verb, VerbTools
 
 __all__ = ["TABULATE"]
 
@@ -25,7 +25,7 @@ def _add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--force", action="store_true", help="write over FILE if it is there")
 
 
-def _main(options: Namespace) -> int:
+def _main(options: Namespace, _tools: VerbTools) -> int:
     digests: List[Digest] = []
     problems: List[str] = []
     for folder in options.folders:

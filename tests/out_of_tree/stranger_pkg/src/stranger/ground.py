@@ -7,6 +7,9 @@ from typing import Any, Dict, FrozenSet, List, Mapping, Optional, Sequence, Set,
 import numpy as np
 
 from rqt_mrta_py.hooks import (
+    AssemblyOutcome,
+    AssemblyRequest,
+    BlockPlacement,
     Body,
     BodyState,
     Contact,
@@ -135,3 +138,11 @@ class Ranks:
         robots = tuple(self._robots[member] for member in moment.members)
         ranks = np.argsort(np.argsort(moment.truth[:, 1], kind="stable")).astype(np.int64)
         return [TeamOutgoing(self._topic, "std_msgs/Int32", robots, {"data": ranks + 1})]
+
+
+def crumbs(request: AssemblyRequest) -> AssemblyOutcome:
+    placements = []
+    for y, row in enumerate(request.structure.heights, 1):
+        for x, height in enumerate(row, 1):
+            placements += [BlockPlacement(x, y, z, 1) for z in range(1, height + 1)]
+    return AssemblyOutcome(tuple(placements))

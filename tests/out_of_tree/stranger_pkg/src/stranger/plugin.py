@@ -4,9 +4,20 @@ from __future__ import annotations
 
 import sys
 from dataclasses import replace
+from pathlib import Path
 from typing import Any, Mapping, Sequence
 
-from rqt_mrta_py.hooks import Benchmark, BenchmarkTable, ParameterProblem, Verb, hookimpl
+from rqt_mrta_py.hooks import (
+    AssemblyPlanner,
+    Benchmark,
+    BenchmarkTable,
+    Chart,
+    Figure,
+    Line,
+    ParameterProblem,
+    Verb,
+    hookimpl,
+)
 from rqt_mrta_py.model import Event, Mission, MissionRecord, Outcome, Task
 from stranger import ground, mole, watching
 
@@ -122,13 +133,24 @@ def mrta_register_message_observers() -> Mapping[str, Any]:
 
 
 @hookimpl
+def mrta_register_assembly_planners() -> Mapping[str, Any]:
+    return {"crumbs": AssemblyPlanner("one crumb for each cell", ground.crumbs, {"worms": 0})}
+
+
+@hookimpl
 def mrta_register_verbs() -> Mapping[str, Any]:
-    def heap(options: Any) -> int:
+    def heap(options: Any, tools: Any) -> int:
         sys.stdout.write("o" * options.height + "\n")
+        if options.out:
+            folder = tools.folder(options.out)
+            folder.write("heap.txt", f"{options.height}\n")
+            line = Line("heap", (0.0, 1.0), (0.0, float(options.height)))
+            folder.draw(Figure("heap", "A molehill", "time [s]", (Chart((line,), "height [m]"),)))
         return 1 if options.height > 9 else 0
 
     def arguments(parser: Any) -> None:
         parser.add_argument("height", type=int)
+        parser.add_argument("--out", type=Path)
 
     return {"molehill": Verb("Heap up a molehill.", arguments, heap)}
 

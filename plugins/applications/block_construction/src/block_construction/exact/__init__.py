@@ -1,0 +1,4 @@
+"""Proved optima of assembly diagrams.
+
+* ``programme``: the integer programme of one concentric layer; ``planner``: all layers, as a planner
+"""

@@ -1,0 +1,54 @@
+"""Reading structures: one that comes with the package, or a file of any of the three forms."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Callable, Mapping
+
+from block_construction.errors import ConstructionError
+from block_construction.structure.level_maps import read_level_maps
+from block_construction.structure.library import library_structure, structure_names
+from block_construction.structure.npy_file import read_npy
+from block_construction.structure.vox_file import read_vox
+from rqt_mrta_py.hooks import Structure
+
+__all__ = ["MOST_BYTES", "read_structure"]
+
+MOST_BYTES = 32_000_000
+"""A drawing may have so many bytes."""
+
+
+def _read_text(name: str, content: bytes) -> Structure:
+    try:
+        return read_level_maps(name, content.decode("utf-8"))
+    except UnicodeDecodeError as error:
+        raise ConstructionError(f"{name}: byte {error.start} is not UTF-8; level maps are text") from error
+
+
+_READERS: Mapping[str, Callable[[str, bytes], Structure]] = {".npy": read_npy, ".txt": _read_text, ".vox": read_vox}
+
+
+def read_structure(given: str) -> Structure:
+    """Read a structure.
+
+    Args:
+        given: the name of one that comes with the package, or a path to a ``.vox``, ``.npy`` or ``.txt`` file.
+
+    Raises:
+        ConstructionError: there is no such structure, or it cannot be read; says what is accepted.
+    """
+    if given in structure_names():
+        return library_structure(given)
+    path = Path(given)
+    reader = _READERS.get(path.suffix.lower())
+    if reader is None:
+        known = ", ".join(structure_names())
+        raise ConstructionError(f"{given}: neither a file *{', *'.join(_READERS)} nor one of the structures {known}")
+    try:
+        size = path.stat().st_size
+        if size > MOST_BYTES:
+            raise ConstructionError(f"{given}: {size} bytes; at most {MOST_BYTES} are accepted")
+        content = path.read_bytes()
+    except OSError as error:
+        raise ConstructionError(f"{given}: cannot be read: {error.strerror or error}") from error
+    return reader(path.name, content)

@@ -1,0 +1,4 @@
+"""Verbs of the command ``mrta``.
+
+* ``plan_structure``: from a structure to its assembly diagram; ``plan_build``: from there to an execution plan
+"""

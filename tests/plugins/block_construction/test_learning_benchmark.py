@@ -1,0 +1,160 @@
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from typing import Any, Callable, Dict, Iterator, List, Sequence
+
+import pytest
+from block_construction.exact.planner import EXACT
+from block_construction.experiments.benchmark import PARTS, add_arguments, measure
+from block_construction.experiments.part import Options
+from block_construction.experiments.published import EXTENSION_RESULTS, MEMORY_RESULTS, MINIMA, RATE_RESULTS
+from block_construction.experiments.throughput import measure_throughput
+from block_construction.experiments.trainings import Case, Sample, trained
+from block_construction.experiments.ways import LOCAL, REOPENED, WAYS
+from block_construction.learning.compiled import has_compiler
+from block_construction.plugin import mrta_register_assembly_planners, mrta_register_benchmarks
+
+from rqt_mrta_py.app.bench.workers import in_order
+
+
+class TwoProcesses:
+    """The part of a laboratory that trainings need."""
+
+    def outcomes(self, work: Callable[[Any], Any], items: Sequence[Any]) -> Iterator[Any]:
+        return in_order(work, items, 2)
+
+
+LABORATORY: Any = TwoProcesses()
+
+
+def told(*arguments: str) -> Namespace:
+    parser = ArgumentParser()
+    add_arguments(parser)
+    return parser.parse_args(arguments)
+
+
+def test_planners_and_benchmark_are_registered() -> None:
+    assert sorted(mrta_register_assembly_planners()) == ["exact", "fala", "pla"]
+    assert mrta_register_assembly_planners()["exact"] is EXACT
+    assert list(mrta_register_benchmarks()) == ["construction"]
+
+
+def test_published_tables_have_all_their_rows() -> None:
+    assert {method: len(rows) for method, rows in RATE_RESULTS.items()} == {"PLA": 18, "FALA": 18}
+    assert [row.rate for row in RATE_RESULTS["PLA"]] == [row.rate for row in RATE_RESULTS["FALA"]]
+    assert {method: len(rows) for method, rows in MEMORY_RESULTS.items()} == {"PLA": 9, "FALA": 8}
+    # 36796 iterations in 58 minutes.
+    assert EXTENSION_RESULTS[0].iterations_per_second == pytest.approx(10.57, abs=0.005)
+    assert all(10.0 < row.iterations_per_second < 21.0 for row in EXTENSION_RESULTS)
+
+
+def test_samples_tell_means_and_hits() -> None:
+    sample = Sample(Case("wall", "FALA", {}, 4), (6, 6, 6, 8), (10, 20, 30, 40), (0.9,) * 4)
+    assert (sample.cost.value, sample.hits, sample.hit_share.value) == (6.5, 3, 0.75)
+    assert sample.mean_iterations.value == 25.0
+
+
+def test_trainings_come_in_the_order_of_cases_and_seeds() -> None:
+    settings = {"rate": 0.05, "iterations": 60}
+    both = trained(LABORATORY, [Case("wall", "PLA", settings, 2), Case("dam", "FALA", settings, 1)])
+    alone = trained(LABORATORY, [Case("dam", "FALA", settings, 1)])
+    assert [len(sample.costs) for sample in both] == [2, 1]
+    assert both[1] == alone[0]
+    assert both[0].iterations == (60, 60)
+    assert both[0].costs != both[1].costs
+
+
+@pytest.mark.parametrize(
+    ("part", "titles", "rows"),
+    [
+        ("parameters", ["Table 3"], [7]),
+        ("memory", ["Tables 4 and 5"], [17]),
+        ("structures", ["Tables 9, 11, 13 and 15"], [24]),
+    ],
+)
+def test_parts_measure_a_little_of_everything(part: str, titles: List[str], rows: List[int]) -> None:
+    report = measure(told("--parts", part, "--quick"), LABORATORY)
+    assert [table.title.split(":")[0] for table in report.tables] == titles
+    assert [len(table.rows) for table in report.tables] == rows
+    assert all(len(row) == len(table.columns) for table in report.tables for row in table.rows)
+
+
+def test_rows_with_bounds_that_are_never_reached_are_equal() -> None:
+    """Table 3's first four rows, as in the source: no parameter comes to 5 or 10 in so few runs."""
+    rows = measure(told("--parts", "parameters", "--quick"), LABORATORY).tables[0].rows
+    assert len({row[3] for row in rows[:4]}) == 1
+
+
+def test_rates_stand_beside_the_sources_with_a_chart() -> None:
+    report = measure(told("--parts", "rates", "--quick"), LABORATORY)
+    table, local = report.tables
+    assert [row[0] for row in table.rows[::18]] == ["PLA", "PLA, noise l1 s", "FALA"]
+    assert [row[3] for row in table.rows[:3]] == [55.37, 49.78, 38.51]
+    assert [row[:2] for row in local.rows[1:3]] == [("PLA", LOCAL), ("FALA", REOPENED)]
+    (chart,) = report.figures[0].charts
+    assert [line.label for line in chart.lines] == ["PLA", "PLA, noise l1 s", "FALA", "PLA, source", "FALA, source"]
+
+
+def test_throughput_is_iterations_over_processor_time() -> None:
+    ticks = iter(range(1000))
+    report = measure_throughput(Options(lambda: float(next(ticks)), quick=True), LABORATORY)
+    (table,) = report.tables
+    rows: Dict[Any, Any] = {row[:3]: row for row in table.rows}
+    form, iterations = ("compiled", 200) if has_compiler() else ("plain", 1)
+    # Each reading of this clock is a second later than the one before.
+    assert rows["vertical_extension", "FALA", form][3:7] == (iterations, 1.0, iterations, 20.1)
+    assert rows["cistern", "PLA", form][6:] == (None, None)
+
+
+def test_every_part_says_what_it_measures() -> None:
+    diagrams = ["parameters", "memory", "rates", "extensions", "structures"]
+    assert list(PARTS) == [*diagrams, "plans", "plan-rates", "throughput"]
+    assert all(part.help for part in PARTS.values())
+
+
+@pytest.mark.long
+@pytest.mark.skipif(not has_compiler(), reason="numba is not installed")
+@pytest.mark.parametrize("method", ["FALA", "PLA"])
+def test_the_cistern_is_found_with_every_seed_under_local_credit(method: str) -> None:
+    settings = {**WAYS[REOPENED][method], "iterations": 10_000}
+    (sample,) = trained(LABORATORY, [Case("cistern", method, settings, 100)])
+    assert sample.hits == 100
+
+
+@pytest.mark.long
+@pytest.mark.skipif(not has_compiler(), reason="numba is not installed")
+@pytest.mark.parametrize("method", ["FALA", "PLA"])
+@pytest.mark.parametrize(("structure", "least"), [("horizontal_extension", 9), ("vertical_extension", 5)])
+def test_the_extensions_are_found_when_automata_begin_anew(structure: str, least: int, method: str) -> None:
+    settings = {**WAYS[REOPENED][method], "iterations": 75_000}
+    (sample,) = trained(LABORATORY, [Case(structure, method, settings, 10)])
+    assert min(sample.costs) == MINIMA[structure]
+    assert sample.hits >= least
+
+
+@pytest.mark.long
+@pytest.mark.skipif(not has_compiler(), reason="numba is not installed")
+@pytest.mark.parametrize(
+    ("method", "rate", "scale"),
+    [
+        ("PLA", 0.005, "root"),
+        ("PLA", 0.01, "root"),
+        ("PLA", 0.005, "rate"),
+        ("PLA", 0.01, "rate"),
+        ("PLA", 0.02, "rate"),
+        ("PLA", 0.03, "rate"),
+        ("FALA", 0.005, None),
+        ("FALA", 0.01, None),
+    ],
+)
+def test_costs_at_small_rates_are_within_four_percent_of_the_sources(method: str, rate: float, scale: str) -> None:
+    extra = {"noise_scale": scale} if scale else {}
+    (sample,) = trained(LABORATORY, [Case("cistern", method, {"rate": rate, **extra}, 100)])
+    published = next(row.cost for row in RATE_RESULTS[method] if row.rate == rate)
+    assert sample.cost.value == pytest.approx(published, rel=0.04)
+
+
+def test_settings_under_local_credit_differ_by_beginning_anew() -> None:
+    for method in ("FALA", "PLA"):
+        assert WAYS[LOCAL][method]["credit"] == WAYS[REOPENED][method]["credit"] == "local"
+        assert "reopen" not in WAYS[LOCAL][method]
