@@ -18,7 +18,7 @@ WAYS: Mapping[str, Mapping[str, Dict[str, Any]]] = {
     },
     REOPENED: {
         "FALA": {"rate": 0.03, "credit": "local", "converged": 0.98, "reopen": "yes"},
-        "PLA": {"rate": 0.1, "credit": "local", "converged": 0.97, "reopen": "yes"},
+        "PLA": {"rate": 0.1, "credit": "local", "converged": 0.96, "reopen": "yes", "leg": 1500},
     },
 }
 """Settings by way and method."""

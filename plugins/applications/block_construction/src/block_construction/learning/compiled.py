@@ -8,7 +8,7 @@ from typing import Callable
 
 from block_construction.learning import credit, drawing, fala, memory, pla, reward, stops, training
 
-__all__ = ["has_compiler", "training_loop"]
+__all__ = ["has_compiler", "is_compiled", "training_loop"]
 
 _INNER = (
     *(credit.is_fault, credit.local_cost, drawing.is_open, drawing.draw_action, drawing.draw_diagram),
@@ -22,6 +22,11 @@ _INNER = (
 def has_compiler() -> bool:
     """Tell whether numba is installed."""
     return find_spec("numba") is not None
+
+
+def is_compiled() -> bool:
+    """Tell whether this process has made the compiled loop already."""
+    return _compiled.cache_info().currsize > 0
 
 
 def training_loop(compiled: bool) -> Callable[..., bool]:
