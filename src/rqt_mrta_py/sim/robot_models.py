@@ -121,7 +121,7 @@ MECANUM_ARM = RobotModel(
         magnet_ahead=0.06,
         joint_height=0.20,
         magnet_below=0.05,
-        lowest=-math.radians(40.0),
+        lowest=-math.radians(35.0),
         highest=math.pi / 2.0,
         rate=0.5,
     ),

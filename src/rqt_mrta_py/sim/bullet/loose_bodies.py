@@ -11,14 +11,13 @@ from numpy.typing import NDArray
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import Body, BodyState
 from rqt_mrta_py.sim.bullet.engine import Engine
+from rqt_mrta_py.sim.bullet.robot import BulletRobot
 from rqt_mrta_py.sim.bullet.surroundings import LOOSE_GROUP
-from rqt_mrta_py.sim.bullet.wheeled_robot import WheeledRobot
 from rqt_mrta_py.sim.world_checks import check_body
 
 __all__ = ["LooseBodies"]
 
 _BASE = -1
-_ROBOT_LINKS = (_BASE, 0, 1)
 _EVERYTHING = -1
 
 
@@ -26,7 +25,7 @@ class _Hold(NamedTuple):
     """A body's attachment: to whom, by which of PyBullet's constraints."""
 
     robot_id: str
-    robot: WheeledRobot
+    robot: BulletRobot
     constraint: int
 
 
@@ -82,10 +81,10 @@ class LooseBodies:
         del self._bodies[body_id], self._half_sizes[body_id], self._frictions[body_id]
         return number
 
-    def attach(self, robot_id: str, robot: WheeledRobot, body_id: str) -> None:
-        """Fix a body to a robot in their present relative pose; until detached, the two do not collide.
+    def attach(self, robot_id: str, robot: BulletRobot, body_id: str) -> None:
+        """Fix a body to a robot's hand in their present relative pose; until detached, the two do not collide.
 
-        Meanwhile it rubs on nothing: a robot carries it, and does not drag it over the floor.
+        Meanwhile it rubs on nothing, unless the robot lifts it: it is carried, and not dragged over the floor.
 
         Raises:
             SimError: there is no such body, or it is attached already.
@@ -95,12 +94,12 @@ class LooseBodies:
             holder = self._holds[body_id].robot_id
             raise SimError(f"body {body_id}: attached to {holder} already; detach it before {robot_id} takes it")
         bullet, client = self._engine.bullet, self._engine.client
-        to_robot = bullet.invertTransform(*bullet.getBasePositionAndOrientation(robot.body, physicsClientId=client))
+        to_hand = bullet.invertTransform(*robot.hand_frame())
         at_body = bullet.getBasePositionAndOrientation(number, physicsClientId=client)
-        position, orientation = bullet.multiplyTransforms(*to_robot, *at_body)
+        position, orientation = bullet.multiplyTransforms(*to_hand, *at_body)
         constraint = bullet.createConstraint(
             robot.body,
-            _BASE,
+            robot.hand,
             number,
             _BASE,
             bullet.JOINT_FIXED,
@@ -110,9 +109,12 @@ class LooseBodies:
             parentFrameOrientation=orientation,
             physicsClientId=client,
         )
+        if math.isfinite(robot.grip_force):
+            bullet.changeConstraint(constraint, maxForce=robot.grip_force, physicsClientId=client)
         self._holds[body_id] = _Hold(robot_id, robot, constraint)
         self._collide(robot, number, enabled=False)
-        self._rub(number, 0.0)
+        if not robot.lifts:
+            self._rub(number, 0.0)
 
     def detach(self, body_id: str) -> None:
         """Let go of a body.
@@ -155,8 +157,8 @@ class LooseBodies:
         bullet, client = self._engine.bullet, self._engine.client
         bullet.changeDynamics(number, _BASE, lateralFriction=friction, physicsClientId=client)
 
-    def _collide(self, robot: WheeledRobot, number: int, *, enabled: bool) -> None:
-        for link in _ROBOT_LINKS:
+    def _collide(self, robot: BulletRobot, number: int, *, enabled: bool) -> None:
+        for link in robot.parts:
             self._engine.bullet.setCollisionFilterPair(
                 robot.body, number, link, _BASE, int(enabled), physicsClientId=self._engine.client
             )
