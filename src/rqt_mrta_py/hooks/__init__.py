@@ -133,7 +133,7 @@ from rqt_mrta_py.hooks.stream import (
 )
 from rqt_mrta_py.hooks.task_orders import task_order
 from rqt_mrta_py.hooks.verb import Verb
-from rqt_mrta_py.hooks.world import Body, BodyState, Contact, PlacedRobot, World, WorldFactory, WorldSetup
+from rqt_mrta_py.hooks.world import ArmWorld, Body, BodyState, Contact, PlacedRobot, World, WorldFactory, WorldSetup
 
 __all__ = [
     "EVERYTHING",
@@ -155,6 +155,7 @@ __all__ = [
     "AnyOutgoing",
     "Applicability",
     "ArmModel",
+    "ArmWorld",
     "Behaviour",
     "BehaviourFactory",
     "BehaviourSetup",

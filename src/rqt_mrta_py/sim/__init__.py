@@ -7,6 +7,7 @@
 * ``sensors``: range finder, odometry, localiser, bumper; one file each
 * ``sensing``: sensors on robots: when they measure, rays cast together, ``/tf``
 * ``simulated_robot``: what one robot makes of its commands; ``drivers``: what all robots are commanded
+* ``arms``, ``magnets``: where builders are told to move their arms, and what they hold
 * ``grippers``: what robots take hold of; ``body_labels``: where loose bodies are, for people
 * ``schedule``: rates in ticks
 * ``angles``, ``picking``: of many robots at once

@@ -30,10 +30,21 @@ class _Hold(NamedTuple):
 
 
 class LooseBodies:
-    """The loose bodies of one physics client, by id, in the order of their adding."""
+    """The loose bodies of one physics client, by id, in the order of their adding.
 
-    def __init__(self, engine: Engine) -> None:
+    Attributes:
+        stirs: how often bodies were set free to fall and settle.
+
+    Args:
+        engine: the client.
+        may_rest: whether what lies still for 2 s is spared, and stays to a hair where it is, until something touches
+            it; stacks creep by millimetres otherwise.
+    """
+
+    def __init__(self, engine: Engine, *, may_rest: bool = False) -> None:
         self._engine = engine
+        self._may_rest = may_rest
+        self.stirs = 0
         self._bodies: Dict[str, int] = {}
         self._half_sizes: Dict[str, Tuple[float, ...]] = {}
         self._frictions: Dict[str, float] = {}
@@ -63,6 +74,7 @@ class LooseBodies:
         self._bodies[body.id] = number
         self._frictions[body.id] = body.friction
         self._half_sizes[body.id] = half_extents
+        self._let_rest(number, rest=True)
         return number
 
     def remove(self, body_id: str) -> int:
@@ -78,6 +90,9 @@ class LooseBodies:
         if body_id in self._holds:
             self.detach(body_id)
         self._engine.bullet.removeBody(number, physicsClientId=self._engine.client)
+        for other in self._bodies.values():
+            # What lay on it must fall.
+            self._let_rest(other, rest=other not in self._carried())
         del self._bodies[body_id], self._half_sizes[body_id], self._frictions[body_id]
         return number
 
@@ -113,6 +128,8 @@ class LooseBodies:
             bullet.changeConstraint(constraint, maxForce=robot.grip_force, physicsClientId=client)
         self._holds[body_id] = _Hold(robot_id, robot, constraint)
         self._collide(robot, number, enabled=False)
+        # A body that is carried slowly would fall asleep, and be left behind.
+        self._let_rest(number, rest=False)
         if not robot.lifts:
             self._rub(number, 0.0)
 
@@ -129,6 +146,11 @@ class LooseBodies:
         self._engine.bullet.removeConstraint(hold.constraint, physicsClientId=self._engine.client)
         self._collide(hold.robot, number, enabled=True)
         self._rub(number, self._frictions[body_id])
+        self._let_rest(number, rest=True)
+
+    def held_by(self, robot_id: str) -> Tuple[str, ...]:
+        """Give the ids of the bodies that are attached to a robot."""
+        return tuple([body_id for body_id, hold in self._holds.items() if hold.robot_id == robot_id])
 
     def states(self) -> Dict[str, BodyState]:
         """Give where every body is."""
@@ -152,6 +174,23 @@ class LooseBodies:
         if number is None:
             raise SimError(f"body {body_id}: there is no such body; there are: {', '.join(self._bodies) or 'none'}")
         return number
+
+    def _carried(self) -> Tuple[int, ...]:
+        return tuple([self._bodies[body_id] for body_id in self._holds])
+
+    def _let_rest(self, number: int, *, rest: bool) -> None:
+        """Wake a body, and say whether it may fall asleep."""
+        if not self._may_rest:
+            return
+        self.stirs += int(rest)
+        bullet = self._engine.bullet
+        allowed = bullet.ACTIVATION_STATE_ENABLE_SLEEPING if rest else bullet.ACTIVATION_STATE_DISABLE_SLEEPING
+        bullet.changeDynamics(
+            number,
+            _BASE,
+            activationState=allowed | bullet.ACTIVATION_STATE_WAKE_UP,
+            physicsClientId=self._engine.client,
+        )
 
     def _rub(self, number: int, friction: float) -> None:
         bullet, client = self._engine.bullet, self._engine.client

@@ -27,8 +27,8 @@ _PLATE_HALF_SIZE = (0.01, 0.02, 0.02)
 _GRAVITY = 9.81
 _TRACTION = 0.5
 """How strongly the wheels push at most, over the robot's weight."""
-_ARM_TORQUE = 10.0
-_WRIST_TORQUE = 5.0
+_ARM_TORQUE = 6.0
+_WRIST_TORQUE = 3.0
 _UNMOVABLE = 1e5
 """What holds a frozen robot [N, N m]."""
 _LEVEL = (0.0, 0.0, 0.0, 1.0)

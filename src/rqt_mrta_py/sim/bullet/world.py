@@ -12,6 +12,7 @@ from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import Body, BodyState, Contact, PlacedRobot, WorldSetup
 from rqt_mrta_py.model import Twist
 from rqt_mrta_py.sim.bullet.engine import Engine
+from rqt_mrta_py.sim.bullet.fine_steps import FINE_STEP, SETTLING, is_at_work
 from rqt_mrta_py.sim.bullet.loose_bodies import LooseBodies
 from rqt_mrta_py.sim.bullet.mecanum_robot import MecanumRobot
 from rqt_mrta_py.sim.bullet.range_rays import Rays
@@ -52,6 +53,10 @@ class BulletWorld:
         self._names: Dict[int, str] = {}
         self._loose: Optional[LooseBodies] = None
         self._physics_steps = 0
+        self._fine_steps = 0
+        self._tick = 0.0
+        self._stirs = 0
+        self._settling = 0
         self._physics_step = 0.0
         self._sight: Optional[Sight] = None
         self._sensor_heights: NDArray[np.float64] = np.empty(0)
@@ -81,6 +86,9 @@ class BulletWorld:
         check_ids(setup)
         check_drives(setup, "bullet", _DRIVES)
         self._physics_steps = _physics_steps(setup)
+        self._fine_steps = max(self._physics_steps, math.ceil(setup.tick / FINE_STEP - _EXACT))
+        self._tick = setup.tick
+        self._stirs = self._settling = 0
         if self._engine is None:
             self._engine = Engine()
         self._physics_step = setup.tick / self._physics_steps
@@ -91,7 +99,7 @@ class BulletWorld:
         self._rows = {robot_id: row for row, robot_id in enumerate(self._robots)}
         self._sensor_heights = np.array([robot.model.sensor_height for robot in setup.robots], dtype=np.float64)
         self._names.update({robot.body: robot_id for robot_id, robot in self._robots.items()})
-        self._loose = LooseBodies(self._engine)
+        self._loose = LooseBodies(self._engine, may_rest=bool(self._builders))
         self._sight = Sight(setup.arena, setup.obstacles, [robot.shape for robot in self._robots.values()])
         self._has_moved = True
 
@@ -159,8 +167,10 @@ class BulletWorld:
     def step(self) -> None:
         """Let one tick pass."""
         engine = self._running
-        for _ in range(self._physics_steps):
-            for robot in self._builders.values():
+        builders = self._builders.values()
+        steps = self._choose_steps() if builders else self._physics_steps
+        for _ in range(steps):
+            for robot in builders:
                 robot.prepare(self._physics_step)
             engine.bullet.stepSimulation(physicsClientId=engine.client)
         self._has_moved = True
@@ -224,6 +234,20 @@ class BulletWorld:
         engine, self._engine = self._engine, None
         if engine is not None:
             engine.close()
+
+    def _choose_steps(self) -> int:
+        """Set how long physics steps are in this tick; give how many."""
+        loose = self._bodies
+        if loose.stirs != self._stirs:
+            self._stirs = loose.stirs
+            self._settling = math.ceil(SETTLING / self._tick)
+        is_fine = self._settling > 0 or is_at_work(self._builders, loose)
+        self._settling = max(0, self._settling - 1)
+        steps = self._fine_steps if is_fine else self._physics_steps
+        if self._tick / steps != self._physics_step:
+            self._physics_step = self._tick / steps
+            self._running.set_step(self._physics_step)
+        return steps
 
     @property
     def _running(self) -> Engine:
