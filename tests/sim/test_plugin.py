@@ -10,7 +10,14 @@ from rqt_mrta_py.sim import plugin
 from rqt_mrta_py.sim.bullet import BulletWorld
 from rqt_mrta_py.sim.planar import PlanarWorld
 from rqt_mrta_py.sim.radio import LossyLink, PerfectLink
-from rqt_mrta_py.sim.robot_models import CARRIER, DIFF_DRIVE, OMNI_DRIVE, SMALL_DIFF_DRIVE, STRONG_CARRIER
+from rqt_mrta_py.sim.robot_models import (
+    CARRIER,
+    DIFF_DRIVE,
+    MECANUM_ARM,
+    OMNI_DRIVE,
+    SMALL_DIFF_DRIVE,
+    STRONG_CARRIER,
+)
 from rqt_mrta_py.sim.sensors import Bumper, Detector, Localiser, Odometry, RangeFinder
 from tests.sim.radio.support import link_setup
 from tests.sim.sensors.support import context
@@ -29,6 +36,7 @@ def test_plugin_keeps_the_contract_and_registers_what_the_room_brings():
     assert models == {
         "carrier": CARRIER,
         "diff_drive": DIFF_DRIVE,
+        "mecanum_arm": MECANUM_ARM,
         "omni_drive": OMNI_DRIVE,
         "small_diff_drive": SMALL_DIFF_DRIVE,
         "strong_carrier": STRONG_CARRIER,
@@ -62,6 +70,20 @@ def test_omni_drive_fits_into_its_own_radius_wheels_and_all():
     assert math.hypot(OMNI_DRIVE.length / 2, OMNI_DRIVE.width / 2) <= OMNI_DRIVE.radius
     assert OMNI_DRIVE.track <= OMNI_DRIVE.width
     assert 2 * OMNI_DRIVE.wheel_radius < OMNI_DRIVE.sensor_height < OMNI_DRIVE.height
+
+
+def test_mecanum_arm_fits_into_its_own_radius_with_its_arm_up():
+    assert math.hypot(MECANUM_ARM.length / 2, MECANUM_ARM.width / 2) <= MECANUM_ARM.radius
+    assert MECANUM_ARM.arm.reach_at(math.pi / 2) == pytest.approx(MECANUM_ARM.radius)
+    assert MECANUM_ARM.track <= MECANUM_ARM.width
+    assert MECANUM_ARM.wheelbase + 2 * MECANUM_ARM.wheel_radius <= MECANUM_ARM.length
+    assert 2 * MECANUM_ARM.wheel_radius < MECANUM_ARM.sensor_height < MECANUM_ARM.height
+
+
+@pytest.mark.parametrize("level", range(5))
+def test_magnet_of_a_mecanum_arm_reaches_the_middles_of_blocks_of_seven_centimetres_on_five_levels(level):
+    angle = MECANUM_ARM.arm.angle_at(0.035 + 0.07 * level)
+    assert MECANUM_ARM.arm.height_at(angle) == pytest.approx(0.035 + 0.07 * level)
 
 
 def test_plugin_registers_the_radios_of_the_room():

@@ -5,7 +5,7 @@
   ``patience`` interrupts them, ``trace`` writes their calls down; ``survey`` reads what they implement unimported
 * ``stream``: messages, subscriptions, the codec's Protocol
 * ``agent``, ``allocator``, ``behaviour``, ``evaluator``, ``navigator``, ``robot_sensor``: on the robot
-* ``world``, ``robot_model``, ``sensor``, ``link``: in simulation
+* ``world``, ``robot_model``, ``robot_arm``, ``sensor``, ``link``: in simulation
 * ``allocation``, ``pace``, ``incident``, ``oddity``, ``statistic``, ``measure``: in supervision; ``grounds``: why
 * ``picture``, ``figure``, ``drawing``: in pictures; ``curve_trace`` collects what a panel will show
 * ``parameters``: read and checked
@@ -108,6 +108,7 @@ from rqt_mrta_py.hooks.picture import (
     ScenarioLabel,
     SceneView,
 )
+from rqt_mrta_py.hooks.robot_arm import ArmModel
 from rqt_mrta_py.hooks.robot_model import GRIP_HALF_ANGLE, RobotModel
 from rqt_mrta_py.hooks.robot_sensor import RobotSensor, RobotSensorFactory, RobotSensorSetup
 from rqt_mrta_py.hooks.sensor import (
@@ -142,7 +143,7 @@ from rqt_mrta_py.hooks.stream import (
 )
 from rqt_mrta_py.hooks.task_orders import task_order
 from rqt_mrta_py.hooks.verb import Verb, VerbFolder, VerbTools
-from rqt_mrta_py.hooks.world import Body, BodyState, Contact, PlacedRobot, World, WorldFactory, WorldSetup
+from rqt_mrta_py.hooks.world import ArmWorld, Body, BodyState, Contact, PlacedRobot, World, WorldFactory, WorldSetup
 
 __all__ = [
     "EVERYTHING",
@@ -165,6 +166,8 @@ __all__ = [
     "AnyOutgoing",
     "Applicability",
     "Area",
+    "ArmModel",
+    "ArmWorld",
     "AssemblyOutcome",
     "AssemblyPlanner",
     "AssemblyRequest",

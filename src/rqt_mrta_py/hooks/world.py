@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-__all__ = ["Body", "BodyState", "Contact", "PlacedRobot", "World", "WorldFactory", "WorldSetup"]
+__all__ = ["ArmWorld", "Body", "BodyState", "Contact", "PlacedRobot", "World", "WorldFactory", "WorldSetup"]
 
 
 @dataclass(frozen=True)
@@ -160,6 +160,14 @@ class World(Protocol):
 
     def close(self) -> None:
         """Free what the world holds; safe to call twice."""
+        ...
+
+
+class ArmWorld(World, Protocol):
+    """A world that moves arms, of which it lists the capability ``arms``: the actuator ``arm`` takes their angles."""
+
+    def arm_angles(self) -> Mapping[str, float]:
+        """Give the angle of joint 1 of every robot that has an arm [rad], by its id, in the setup's order."""
         ...
 
 

@@ -3,10 +3,11 @@
 * ``bullet``: BulletWorld, wheels and contacts in PyBullet
 * ``planar``: PlanarWorld, thousands of robots seen from above, in NumPy
 * ``world_checks``: what every world of this room refuses; ``world_answers``: what any world may answer
-* ``robot_models``: the kinds of robots that this room brings
+* ``robot_models``: the kinds of robots that this room brings; ``mecanum``: how four mecanum wheels turn
 * ``sensors``: range finder, odometry, localiser, bumper; one file each
 * ``sensing``: sensors on robots: when they measure, rays cast together, ``/tf``
 * ``simulated_robot``: what one robot makes of its commands; ``drivers``: what all robots are commanded
+* ``arms``, ``magnets``: where builders are told to move their arms, and what they hold
 * ``grippers``: what robots take hold of; ``body_labels``: where loose bodies are, for people
 * ``schedule``: rates in ticks
 * ``angles``, ``picking``: of many robots at once

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Callable, Dict, Iterator, Mapping, NamedTuple, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, Callable, Collection, Dict, Iterator, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 from rqt_mrta_py.hooks import GRIP_HALF_ANGLE, Outgoing, RobotModel, Subscription, TeamHeard, World
 from rqt_mrta_py.model import LooseBody, Pose
@@ -79,6 +79,11 @@ class Grippers:
         return tuple(self._robots)
 
     @property
+    def kept(self) -> Collection[str]:
+        """Ids of all bodies in grippers, those of stopped robots too."""
+        return self._holds.values()
+
+    @property
     def held(self) -> Mapping[str, str]:
         """Who holds what: robots by the bodies' ids, without what stopped robots hold."""
         return {body: robot for robot, body in self._holds.items() if not self._all[robot].is_stopped}
@@ -97,12 +102,13 @@ class Grippers:
 
         return GRIPPER_COMMAND, hear
 
-    def act(self, world: World, where: Callable[[], NDArray[np.float64]]) -> None:
+    def act(self, world: World, where: Callable[[], NDArray[np.float64]], taken: Collection[str] = ()) -> None:
         """Carry out what was commanded.
 
         Args:
             world: where bodies and robots are.
             where: gives true poses of all robots in the frame ``map``: x, y [m] and yaw [rad], shape (robots, 3).
+            taken: ids of bodies that others than grippers hold.
         """
         if not self._wanted:
             return
@@ -116,7 +122,7 @@ class Grippers:
                 world.detach(self._holds.pop(name))
                 del self._wanted[name]
             else:
-                body = self._nearest(robot.model, Pose(*where()[row].tolist()), world)
+                body = self._nearest(robot.model, Pose(*where()[row].tolist()), world, taken)
                 if body is not None:
                     self._take(name, body, world)
                     del self._wanted[name]
@@ -140,13 +146,13 @@ class Grippers:
         else:
             self._wanted[name] = close
 
-    def _nearest(self, model: RobotModel, pose: Pose, world: World) -> Optional[str]:
+    def _nearest(self, model: RobotModel, pose: Pose, world: World, taken: Collection[str]) -> Optional[str]:
         """Find the nearest body that a robot can take; of equally near ones the first by id."""
-        taken = self.held
+        held = self.held
         found = []
         for name, state in world.bodies().items():
             body = self._bodies.get(name)
-            if body is None or body.mass > model.max_load or name in taken:
+            if body is None or body.mass > model.max_load or name in held or name in taken:
                 continue
             place = Pose(state.position[0], state.position[1])
             distance, bearing = pose.distance(place), pose.bearing(place)

@@ -37,9 +37,17 @@ def mrta_register_worlds() -> Mapping[str, WorldFactory]:
 @hookimpl
 def mrta_register_robot_models() -> Mapping[str, RobotModel]:
     """Name the robot models of this room."""
-    from rqt_mrta_py.sim.robot_models import CARRIER, DIFF_DRIVE, OMNI_DRIVE, SMALL_DIFF_DRIVE, STRONG_CARRIER
+    from rqt_mrta_py.sim.robot_models import (
+        CARRIER,
+        DIFF_DRIVE,
+        MECANUM_ARM,
+        OMNI_DRIVE,
+        SMALL_DIFF_DRIVE,
+        STRONG_CARRIER,
+    )
 
-    return {model.name: model for model in (CARRIER, DIFF_DRIVE, OMNI_DRIVE, SMALL_DIFF_DRIVE, STRONG_CARRIER)}
+    models = (CARRIER, DIFF_DRIVE, MECANUM_ARM, OMNI_DRIVE, SMALL_DIFF_DRIVE, STRONG_CARRIER)
+    return {model.name: model for model in models}
 
 
 @hookimpl

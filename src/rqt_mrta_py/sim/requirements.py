@@ -61,13 +61,15 @@ def missing_capabilities(
     needs: Dict[str, str] = {}
     for robot in scenario.robots:
         needs.setdefault(f"drive:{models[robot.model].drive}", f"robot {robot.id}")
+        if models[robot.model].arm is not None:
+            needs.setdefault("arms", f"robot {robot.id}")
     for event in scenario.events:
         if event.kind in FREEZING:
             needs.setdefault("freeze", f"event {event.kind.value} at {event.time:g} s")
     if scenario.bodies:
         needs.setdefault("bodies", f"body {scenario.bodies[0].id}")
         for robot in scenario.robots:
-            if GRIPPER in models[robot.model].actuators:
+            if {GRIPPER, "magnet"}.intersection(models[robot.model].actuators):
                 needs.setdefault("attach", f"robot {robot.id}")
     for capability, who in needs.items():
         if capability not in capabilities:

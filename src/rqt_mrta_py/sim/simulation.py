@@ -2,7 +2,21 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, AbstractSet, Iterable, Iterator, Mapping, Optional, Sequence, Set
+from typing import (
+    TYPE_CHECKING,
+    AbstractSet,
+    Callable,
+    Iterable,
+    Iterator,
+    List,
+    Mapping,
+    NamedTuple,
+    Optional,
+    Sequence,
+    Set,
+    Tuple,
+    Union,
+)
 
 from rqt_mrta_py.config.scenario.events import event_problems
 from rqt_mrta_py.errors import SimError
@@ -13,17 +27,21 @@ from rqt_mrta_py.hooks import (
     PlacedRobot,
     RobotModel,
     SensorFactory,
+    Subscription,
+    TeamHeard,
     TeamSensorFactory,
     World,
     WorldFactory,
     WorldSetup,
 )
 from rqt_mrta_py.model import LooseBody, Pose, ScenarioEvent, ScenarioSpec
+from rqt_mrta_py.sim.arms import Arms
 from rqt_mrta_py.sim.body_labels import BodyLabels
 from rqt_mrta_py.sim.body_placement import body_problems
 from rqt_mrta_py.sim.drivers import Drivers
 from rqt_mrta_py.sim.faults import Faults
 from rqt_mrta_py.sim.grippers import Grippers
+from rqt_mrta_py.sim.magnets import Magnets
 from rqt_mrta_py.sim.placement import placement_problems
 from rqt_mrta_py.sim.radio import LinkRandom, PerfectLink, Radio, build_links
 from rqt_mrta_py.sim.requirements import blind_sensors, missing_capabilities, missing_links, missing_names
@@ -37,14 +55,28 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-__all__ = ["Simulation"]
+__all__ = ["Ear", "Simulation"]
+
+
+class Ear(NamedTuple):
+    """What one kind of hardware hears.
+
+    Attributes:
+        robots: ids of those that have it, in the order of rows.
+        wish: what each of them hears, in its own namespace.
+        hear: to be told of it.
+    """
+
+    robots: Tuple[str, ...]
+    wish: Subscription
+    hear: Callable[[TeamHeard], None]
 
 
 class Simulation:
     """A scenario under way.
 
     One tick is ``begin_tick``, ``sense``, ``act``, ``step``, in this order; what robots hear comes between ``sense``
-    and ``act``, through the listener of ``drivers``.
+    and ``act``, through ``ears``.
 
     A robot goes by its own clock: what it measures is stamped by it, and it judges by it how old a command is.
 
@@ -53,6 +85,7 @@ class Simulation:
         robots: by id, in the scenario's order.
         drivers: hear what the robots are commanded.
         grippers: hear what those of them are commanded that have one.
+        arms, magnets: the same of those.
         sensing: their sensors.
         world: where they are; built.
         radio: between them; to be asked for each delivery.
@@ -97,6 +130,8 @@ class Simulation:
         self.robots = {robot.id: SimulatedRobot(robot.id, models[robot.model], news) for robot in scenario.robots}
         self.drivers = Drivers(self.robots, news)
         self.grippers = Grippers(self.robots, scenario.bodies, scenario.control_rate)
+        self.arms = Arms(self.robots, scenario.control_rate)
+        self.magnets = Magnets(self.robots, scenario.bodies, scenario.control_rate)
         self.sensing = Sensing(scenario, models, sensors, team_sensors, generators)
         self._body_labels = BodyLabels(scenario.bodies, scenario.control_rate)
         self._names = list(self.robots)
@@ -151,23 +186,41 @@ class Simulation:
 
         Yields:
             What drivers publish: sensors in the order of kind, topic, rate and parameters, then transforms, then what
-            grippers hold.
+            grippers hold, where arms are, and what magnets hold.
         """
         due = self.sensing.due(tick)
         if due:
-            held = self.grippers.held
+            held = self._held()
             yield from self.sensing.sense(due, self._times(now), self._where_they_are(), self.world, held)
         yield from self.grippers.tell(tick)
+        yield from self.arms.tell(tick, self.world)
+        yield from self.magnets.tell(tick)
 
     def labels(self, tick: int, now: float) -> Iterator[Outgoing]:
         """Tell people where loose bodies are; arguments as of ``sense``."""
-        return self._body_labels.due(tick, now, self.world, self.grippers.held)
+        return self._body_labels.due(tick, now, self.world, self._held())
+
+    def ears(self, robots: Sequence[str]) -> List[Ear]:
+        """Say what hardware hears, kind by kind: bases, then grippers, arms and magnets if there are any.
+
+        Args:
+            robots: ids, in the order that rows shall have.
+        """
+        ears = [Ear(tuple(robots), *self.drivers.listener(robots))]
+        parts: Sequence[Union[Arms, Grippers, Magnets]] = (self.grippers, self.arms, self.magnets)
+        for part in parts:
+            having = tuple([robot for robot in robots if robot in part.robots])
+            if having:
+                ears.append(Ear(having, *part.listener(having)))
+        return ears
 
     def act(self, now: float) -> None:
         """Command the world what robots were commanded, at a time [s]; what they do already is not said again."""
         for name, twist in self.drivers.commands(self._times(now)):
             self.world.command(name, "base", twist)
-        self.grippers.act(self.world, self._where_they_are)
+        self.arms.act(self.world)
+        self.grippers.act(self.world, self._where_they_are, self.magnets.kept)
+        self.magnets.act(self.world, self._where_they_are, self.grippers.kept)
 
     def step(self) -> None:
         """Let one tick pass in the world."""
@@ -198,6 +251,10 @@ class Simulation:
     def close(self) -> None:
         """Free what the world holds; safe to call twice."""
         self.world.close()
+
+    def _held(self) -> Mapping[str, str]:
+        """Tell which robot at work holds what, by the body's id."""
+        return {**self.grippers.held, **self.magnets.held} if self.magnets.robots else self.grippers.held
 
     def _pose(self, robot_id: str) -> Optional[Pose]:
         """Give a robot's true pose; None for anything else."""

@@ -10,7 +10,7 @@ from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import Body, WorldSetup
 from rqt_mrta_py.model import Twist
 
-__all__ = ["WALL", "check_body", "check_drives", "check_ids", "check_numbers", "check_twist"]
+__all__ = ["WALL", "check_angle", "check_body", "check_drives", "check_ids", "check_numbers", "check_twist"]
 
 WALL = "wall"
 """The name of every wall in contacts."""
@@ -92,3 +92,14 @@ def check_twist(robot: str, actuator: str, value: Union[Twist, float], world: st
     if not isinstance(value, Twist) or not math.isfinite(value.vx + value.vy + value.wz):
         raise SimError(f"robot {robot}: base takes a Twist of finite numbers (got {value!r})")
     return value
+
+
+def check_angle(robot: str, value: Union[Twist, float]) -> float:
+    """Give the command to a robot's arm; refuse what is no finite angle.
+
+    Raises:
+        SimError: showing the value.
+    """
+    if isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value):
+        return float(value)
+    raise SimError(f"robot {robot}: arm takes a finite angle [rad] (got {value!r})")

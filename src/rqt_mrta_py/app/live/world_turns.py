@@ -53,12 +53,8 @@ class WorldTurns:
         self._arrived: Dict[Tuple[str, str], Deque[Stamped]] = {}
         self._dispatcher = Dispatcher(world.bus.codec, lambda _heard, _text: None)
         self._hearings: List[_Hearing] = []
-        simulation = world.simulation
-        gripping = tuple(robot for robot in self.robots if robot in simulation.grippers.robots)
-        self.command_topics = (
-            *self._listen(self.robots, *simulation.drivers.listener(self.robots)),
-            *self._listen(gripping, *simulation.grippers.listener(gripping)),
-        )
+        ears = world.simulation.ears(self.robots)
+        self.command_topics = tuple(topic for ear in ears for topic in self._listen(ear.robots, ear.wish, ear.hear))
 
     def open(self, tick: int) -> Tuple[Sequence[Stamped], TickNews]:
         """Begin a tick.

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Dict, Optional, Tuple
+from typing import Dict, List, Optional, Tuple
 
 from rqt_mrta_py.app.run.hosts import HostMaker
-from rqt_mrta_py.hooks import AgentChange
+from rqt_mrta_py.hooks import AgentChange, Subscription
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.model import Mission
 from rqt_mrta_py.robot import RobotHost
@@ -42,7 +42,7 @@ class Team:
 
     Attributes:
         members: by id, in the application's order.
-        commands: hear for all simulated hardware what it is commanded: bases, then grippers if there are any.
+        commands: hear for all simulated hardware what it is commanded: bases, then grippers, arms and magnets.
     """
 
     members: Dict[str, Member]
@@ -77,23 +77,22 @@ def build_team(
     maker = HostMaker(mission, seed, simulation.scenario, models, manager, change=change)
     members: Dict[str, Member] = {}
     robots = [robot.id for robot in mission.application.robots]
-    drive, hear_drives = simulation.drivers.listener(robots)
-    with_gripper = frozenset(simulation.grippers.robots)
-    gripping = [robot for robot in robots if robot in with_gripper]
-    grip, hear_grips = simulation.grippers.listener(gripping)
+    ears = simulation.ears(robots)
+    wishes: Dict[str, List[Subscription]] = {}
+    for ear in ears:
+        for name in ear.robots:
+            wishes.setdefault(name, []).append(ear.wish)
     for robot in mission.application.robots:
         with manager.patience.at_work(f"the making of {robot.id}"):
             host = maker.host(robot.id)
         agent_node = bus.node(f"/{robot.id}/agent", robot=robot.id)
         driver_node = bus.node(f"/{robot.id}/driver", robot=robot.id)
-        topics = [resolve_topic(drive.topic, driver_node.name)]
-        if robot.id in with_gripper:
-            topics.append(resolve_topic(grip.topic, driver_node.name))
+        topics = [resolve_topic(wish.topic, driver_node.name) for wish in wishes[robot.id]]
         for wish, callback in host.listeners():
             agent_node.subscribe(wish, callback)
             topics.append(resolve_topic(wish.topic, agent_node.name))
         members[robot.id] = Member(robot.id, host, agent_node, driver_node, tuple(map(TopicPattern, topics)))
-    commands = [bus.subscribe_together([members[name].driver_node for name in robots], drive, hear_drives)]
-    if gripping:
-        commands.append(bus.subscribe_together([members[name].driver_node for name in gripping], grip, hear_grips))
+    commands = [
+        bus.subscribe_together([members[name].driver_node for name in ear.robots], ear.wish, ear.hear) for ear in ears
+    ]
     return Team(members, tuple(commands))

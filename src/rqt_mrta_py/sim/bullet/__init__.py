@@ -3,7 +3,10 @@
 * ``engine``: loads PyBullet and owns one client of it
 * ``surroundings``: floor, walls, obstacles
 * ``robot_shape``: what a robot looks like
-* ``wheeled_robot``: builds, drives and brakes one robot
+* ``robot``: what every robot is to the world, however it drives
+* ``wheeled_robot``: builds, drives and brakes one robot on two wheels
+* ``mecanum_robot``: builds, drives and brakes one on mecanum wheels, and moves its arm
+* ``fine_steps``: when physics must go in finer steps
 * ``loose_bodies``: what robots can push and carry
 * ``sight``: what range finders can see, and where it is
 * ``range_rays``: level rays against boxes, balls and pillars

@@ -74,6 +74,10 @@ class Engine:
         )
         self.bullet.setGravity(0.0, 0.0, -_GRAVITY, physicsClientId=self.client)
 
+    def set_step(self, step: float) -> None:
+        """Set the length of physics steps from now on [s]."""
+        self.bullet.setPhysicsEngineParameter(fixedTimeStep=step, physicsClientId=self.client)
+
     def close(self) -> None:
         """Disconnect and free the client's memory; safe to call twice."""
         client, self.client = self.client, -1

@@ -11,14 +11,13 @@ from numpy.typing import NDArray
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import Body, BodyState
 from rqt_mrta_py.sim.bullet.engine import Engine
+from rqt_mrta_py.sim.bullet.robot import BulletRobot
 from rqt_mrta_py.sim.bullet.surroundings import LOOSE_GROUP
-from rqt_mrta_py.sim.bullet.wheeled_robot import WheeledRobot
 from rqt_mrta_py.sim.world_checks import check_body
 
 __all__ = ["LooseBodies"]
 
 _BASE = -1
-_ROBOT_LINKS = (_BASE, 0, 1)
 _EVERYTHING = -1
 
 
@@ -26,15 +25,26 @@ class _Hold(NamedTuple):
     """A body's attachment: to whom, by which of PyBullet's constraints."""
 
     robot_id: str
-    robot: WheeledRobot
+    robot: BulletRobot
     constraint: int
 
 
 class LooseBodies:
-    """The loose bodies of one physics client, by id, in the order of their adding."""
+    """The loose bodies of one physics client, by id, in the order of their adding.
 
-    def __init__(self, engine: Engine) -> None:
+    Attributes:
+        stirs: how often bodies were set free to fall and settle.
+
+    Args:
+        engine: the client.
+        may_rest: whether what lies still for 2 s is spared, and stays to a hair where it is, until something touches
+            it; stacks creep by millimetres otherwise.
+    """
+
+    def __init__(self, engine: Engine, *, may_rest: bool = False) -> None:
         self._engine = engine
+        self._may_rest = may_rest
+        self.stirs = 0
         self._bodies: Dict[str, int] = {}
         self._half_sizes: Dict[str, Tuple[float, ...]] = {}
         self._frictions: Dict[str, float] = {}
@@ -64,6 +74,7 @@ class LooseBodies:
         self._bodies[body.id] = number
         self._frictions[body.id] = body.friction
         self._half_sizes[body.id] = half_extents
+        self._let_rest(number, rest=True)
         return number
 
     def remove(self, body_id: str) -> int:
@@ -79,13 +90,16 @@ class LooseBodies:
         if body_id in self._holds:
             self.detach(body_id)
         self._engine.bullet.removeBody(number, physicsClientId=self._engine.client)
+        for other in self._bodies.values():
+            # What lay on it must fall.
+            self._let_rest(other, rest=other not in self._carried())
         del self._bodies[body_id], self._half_sizes[body_id], self._frictions[body_id]
         return number
 
-    def attach(self, robot_id: str, robot: WheeledRobot, body_id: str) -> None:
-        """Fix a body to a robot in their present relative pose; until detached, the two do not collide.
+    def attach(self, robot_id: str, robot: BulletRobot, body_id: str) -> None:
+        """Fix a body to a robot's hand in their present relative pose; until detached, the two do not collide.
 
-        Meanwhile it rubs on nothing: a robot carries it, and does not drag it over the floor.
+        Meanwhile it rubs on nothing, unless the robot lifts it: it is carried, and not dragged over the floor.
 
         Raises:
             SimError: there is no such body, or it is attached already.
@@ -95,12 +109,12 @@ class LooseBodies:
             holder = self._holds[body_id].robot_id
             raise SimError(f"body {body_id}: attached to {holder} already; detach it before {robot_id} takes it")
         bullet, client = self._engine.bullet, self._engine.client
-        to_robot = bullet.invertTransform(*bullet.getBasePositionAndOrientation(robot.body, physicsClientId=client))
+        to_hand = bullet.invertTransform(*robot.hand_frame())
         at_body = bullet.getBasePositionAndOrientation(number, physicsClientId=client)
-        position, orientation = bullet.multiplyTransforms(*to_robot, *at_body)
+        position, orientation = bullet.multiplyTransforms(*to_hand, *at_body)
         constraint = bullet.createConstraint(
             robot.body,
-            _BASE,
+            robot.hand,
             number,
             _BASE,
             bullet.JOINT_FIXED,
@@ -110,9 +124,14 @@ class LooseBodies:
             parentFrameOrientation=orientation,
             physicsClientId=client,
         )
+        if math.isfinite(robot.grip_force):
+            bullet.changeConstraint(constraint, maxForce=robot.grip_force, physicsClientId=client)
         self._holds[body_id] = _Hold(robot_id, robot, constraint)
         self._collide(robot, number, enabled=False)
-        self._rub(number, 0.0)
+        # A body that is carried slowly would fall asleep, and be left behind.
+        self._let_rest(number, rest=False)
+        if not robot.lifts:
+            self._rub(number, 0.0)
 
     def detach(self, body_id: str) -> None:
         """Let go of a body.
@@ -127,6 +146,11 @@ class LooseBodies:
         self._engine.bullet.removeConstraint(hold.constraint, physicsClientId=self._engine.client)
         self._collide(hold.robot, number, enabled=True)
         self._rub(number, self._frictions[body_id])
+        self._let_rest(number, rest=True)
+
+    def held_by(self, robot_id: str) -> Tuple[str, ...]:
+        """Give the ids of the bodies that are attached to a robot."""
+        return tuple([body_id for body_id, hold in self._holds.items() if hold.robot_id == robot_id])
 
     def states(self) -> Dict[str, BodyState]:
         """Give where every body is."""
@@ -151,12 +175,29 @@ class LooseBodies:
             raise SimError(f"body {body_id}: there is no such body; there are: {', '.join(self._bodies) or 'none'}")
         return number
 
+    def _carried(self) -> Tuple[int, ...]:
+        return tuple([self._bodies[body_id] for body_id in self._holds])
+
+    def _let_rest(self, number: int, *, rest: bool) -> None:
+        """Wake a body, and say whether it may fall asleep."""
+        if not self._may_rest:
+            return
+        self.stirs += int(rest)
+        bullet = self._engine.bullet
+        allowed = bullet.ACTIVATION_STATE_ENABLE_SLEEPING if rest else bullet.ACTIVATION_STATE_DISABLE_SLEEPING
+        bullet.changeDynamics(
+            number,
+            _BASE,
+            activationState=allowed | bullet.ACTIVATION_STATE_WAKE_UP,
+            physicsClientId=self._engine.client,
+        )
+
     def _rub(self, number: int, friction: float) -> None:
         bullet, client = self._engine.bullet, self._engine.client
         bullet.changeDynamics(number, _BASE, lateralFriction=friction, physicsClientId=client)
 
-    def _collide(self, robot: WheeledRobot, number: int, *, enabled: bool) -> None:
-        for link in _ROBOT_LINKS:
+    def _collide(self, robot: BulletRobot, number: int, *, enabled: bool) -> None:
+        for link in robot.parts:
             self._engine.bullet.setCollisionFilterPair(
                 robot.body, number, link, _BASE, int(enabled), physicsClientId=self._engine.client
             )

@@ -1,7 +1,7 @@
-"""What a robot of BulletWorld looks like: a box on two wheels and two casters, all in the frame of its body.
+"""What a robot of BulletWorld looks like: a box, perhaps on wheels and casters, all in the frame of its body.
 
-The body is one compound shape with its casters, the wheels are spheres: two links instead of four bodies. Casters at
-the height of the wheels would carry most of the weight and let the wheels skid, so they stand off the floor.
+A differential drive is one compound shape with its casters, the wheels are spheres: two links instead of four bodies.
+Casters at the height of the wheels would carry most of the weight and let the wheels skid, so they stand off the floor.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from typing import NamedTuple, Tuple
 
 from rqt_mrta_py.hooks import RobotModel
 
-__all__ = ["Ball", "RobotShape", "shape_of"]
+__all__ = ["Ball", "RobotShape", "shape_of", "shape_of_mecanum"]
 
 _GROUND_CLEARANCE = 0.01
 """From the top of the wheels' radius to the underside of the body [m]."""
@@ -36,19 +36,19 @@ class RobotShape(NamedTuple):
         frame_height: of the origin above the floor while the robot stands [m].
         box_centre: [m].
         box_half_size: half of length, width, height [m].
-        wheels: left and right.
-        casters: front and rear.
+        wheels: left and right; none of a mecanum drive.
+        casters: front and rear; none of a mecanum drive.
     """
 
     frame_height: float
     box_centre: _Vector
     box_half_size: _Vector
-    wheels: Tuple[Ball, Ball]
-    casters: Tuple[Ball, Ball]
+    wheels: Tuple[Ball, ...]
+    casters: Tuple[Ball, ...]
 
 
 def shape_of(model: RobotModel) -> RobotShape:
-    """Give the shape of a model's robots."""
+    """Give the shape of a model's robots, which have a differential drive."""
     underside = model.wheel_radius + _GROUND_CLEARANCE
     frame_height = (underside + model.height) / 2 - _CENTRE_OF_MASS_DROP
     wheel_drop = model.wheel_radius - frame_height
@@ -64,4 +64,15 @@ def shape_of(model: RobotModel) -> RobotShape:
             Ball((0.0, -model.track / 2, wheel_drop), model.wheel_radius),
         ),
         casters=(Ball((caster_x, 0.0, caster_z), caster_radius), Ball((-caster_x, 0.0, caster_z), caster_radius)),
+    )
+
+
+def shape_of_mecanum(model: RobotModel) -> RobotShape:
+    """Give the shape of a model's robots, which have a mecanum drive: a chassis around its wheels."""
+    return RobotShape(
+        frame_height=(_GROUND_CLEARANCE + model.height) / 2,
+        box_centre=(0.0, 0.0, 0.0),
+        box_half_size=(model.length / 2, model.width / 2, (model.height - _GROUND_CLEARANCE) / 2),
+        wheels=(),
+        casters=(),
     )

@@ -15,7 +15,6 @@ __all__ = ["Sight"]
 
 _Floats = NDArray[np.float64]
 _NOBODY = -1
-_BALLS_EACH = 4
 _ROUNDING = 1e-9
 """Of heights [m]."""
 
@@ -40,8 +39,9 @@ class Sight:
         half_size = _vectors([robot.box_half_size for robot in robots])
         self._boxes = _joined(_blocks(blocks), Boxes.of(self._numbers, half_size))
         self._robots_boxes = slice(len(blocks), None)
-        balls = [ball for robot in robots for ball in (*robot.wheels, *robot.casters)]
-        self._ball_owner = np.repeat(self._numbers, _BALLS_EACH)
+        balls_of = [(*robot.wheels, *robot.casters) for robot in robots]
+        balls = [ball for some in balls_of for ball in some]
+        self._ball_owner = np.repeat(self._numbers, np.array([len(some) for some in balls_of], dtype=np.int64))
         self._ball_centre = _vectors([ball.centre for ball in balls])
         self._ball_radius = np.array([ball.radius for ball in balls], dtype=np.float64)
         self._no_balls = Balls(self._ball_owner[:0], self._ball_centre[:0], self._ball_radius[:0])

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import Optional
+from typing import Optional, Tuple
 
 from rqt_mrta_py.hooks import PlacedRobot
 from rqt_mrta_py.model import Twist
 from rqt_mrta_py.sim.bullet.engine import Engine
+from rqt_mrta_py.sim.bullet.robot import Frame
 from rqt_mrta_py.sim.bullet.robot_shape import RobotShape, shape_of
 
 __all__ = ["WheeledRobot"]
@@ -30,6 +31,11 @@ class WheeledRobot:
         model: what it is like.
         shape: what it looks like.
     """
+
+    parts: Tuple[int, ...] = (_BASE, _LEFT, _RIGHT)
+    hand = _BASE
+    lifts = False
+    grip_force = math.inf
 
     def __init__(self, engine: Engine, robot: PlacedRobot) -> None:
         self.model = robot.model
@@ -84,6 +90,15 @@ class WheeledRobot:
             self._engine.bullet.removeConstraint(self._anchor, physicsClientId=self._engine.client)
             self._anchor = None
             self._drive(self._twist)
+
+    def frame(self) -> Frame:
+        """Give where its body is."""
+        frame: Frame = self._engine.bullet.getBasePositionAndOrientation(self.body, self._engine.client)
+        return frame
+
+    def hand_frame(self) -> Frame:
+        """Give where its body is, which bodies are attached to."""
+        return self.frame()
 
     def _drive(self, twist: Twist) -> None:
         """Turn the wheels: v_left,right = v -+ w track / 2, over the wheels' radius."""

@@ -9,20 +9,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rqt_mrta_py.errors import SimError
-from rqt_mrta_py.hooks import Body, BodyState, Contact, WorldSetup
+from rqt_mrta_py.hooks import Body, BodyState, Contact, PlacedRobot, WorldSetup
 from rqt_mrta_py.model import Twist
 from rqt_mrta_py.sim.bullet.engine import Engine
+from rqt_mrta_py.sim.bullet.fine_steps import FINE_STEP, SETTLING, is_at_work
 from rqt_mrta_py.sim.bullet.loose_bodies import LooseBodies
+from rqt_mrta_py.sim.bullet.mecanum_robot import MecanumRobot
 from rqt_mrta_py.sim.bullet.range_rays import Rays
+from rqt_mrta_py.sim.bullet.robot import BulletRobot
 from rqt_mrta_py.sim.bullet.sight import Sight
 from rqt_mrta_py.sim.bullet.surroundings import build_surroundings
 from rqt_mrta_py.sim.bullet.wheeled_robot import WheeledRobot
-from rqt_mrta_py.sim.world_checks import check_drives, check_ids, check_numbers, check_twist
+from rqt_mrta_py.sim.world_checks import check_angle, check_drives, check_ids, check_numbers, check_twist
 
 __all__ = ["BulletWorld"]
 
-_DRIVES = ("differential",)
-_CAPABILITIES = frozenset({"attach", "bodies", "contacts", "freeze", "ranges", *(f"drive:{name}" for name in _DRIVES)})
+_DRIVES = ("differential", "mecanum")
+_CAPABILITIES = frozenset(
+    {"arms", "attach", "bodies", "contacts", "freeze", "ranges", *(f"drive:{name}" for name in _DRIVES)}
+)
 _MOST_ROBOTS = 4000
 """Beyond, building and each tick take minutes."""
 _LONGEST_STEP = 1 / 40
@@ -30,6 +35,7 @@ _LONGEST_STEP = 1 / 40
 _FARTHEST_STEP = 0.0125
 """What a robot may drive in one physics step [m]: so deep it may be in a wall before the wall pushes back."""
 _EXACT = 1e-9
+_NOT_BUILT = "world bullet: not built yet or closed; call reset first"
 
 
 class BulletWorld:
@@ -41,11 +47,17 @@ class BulletWorld:
 
     def __init__(self) -> None:
         self._engine: Optional[Engine] = None
-        self._robots: Dict[str, WheeledRobot] = {}
+        self._robots: Dict[str, BulletRobot] = {}
+        self._builders: Dict[str, MecanumRobot] = {}
         self._rows: Dict[str, int] = {}
         self._names: Dict[int, str] = {}
         self._loose: Optional[LooseBodies] = None
         self._physics_steps = 0
+        self._fine_steps = 0
+        self._tick = 0.0
+        self._stirs = 0
+        self._settling = 0
+        self._physics_step = 0.0
         self._sight: Optional[Sight] = None
         self._sensor_heights: NDArray[np.float64] = np.empty(0)
         self._has_moved = False
@@ -74,15 +86,20 @@ class BulletWorld:
         check_ids(setup)
         check_drives(setup, "bullet", _DRIVES)
         self._physics_steps = _physics_steps(setup)
+        self._fine_steps = max(self._physics_steps, math.ceil(setup.tick / FINE_STEP - _EXACT))
+        self._tick = setup.tick
+        self._stirs = self._settling = 0
         if self._engine is None:
             self._engine = Engine()
-        self._engine.reset(setup.tick / self._physics_steps)
+        self._physics_step = setup.tick / self._physics_steps
+        self._engine.reset(self._physics_step)
         self._names = build_surroundings(self._engine, setup.arena, setup.obstacles)
-        self._robots = {robot.id: WheeledRobot(self._engine, robot) for robot in setup.robots}
+        self._robots = {robot.id: _built(self._engine, robot) for robot in setup.robots}
+        self._builders = {name: robot for name, robot in self._robots.items() if isinstance(robot, MecanumRobot)}
         self._rows = {robot_id: row for row, robot_id in enumerate(self._robots)}
         self._sensor_heights = np.array([robot.model.sensor_height for robot in setup.robots], dtype=np.float64)
         self._names.update({robot.body: robot_id for robot_id, robot in self._robots.items()})
-        self._loose = LooseBodies(self._engine)
+        self._loose = LooseBodies(self._engine, may_rest=bool(self._builders))
         self._sight = Sight(setup.arena, setup.obstacles, [robot.shape for robot in self._robots.values()])
         self._has_moved = True
 
@@ -132,18 +149,29 @@ class BulletWorld:
             self._robot(robot).release()
 
     def command(self, robot: str, actuator: str, value: Union[Twist, float]) -> None:
-        """Set what a robot's base shall do from the next step on, until the next command.
+        """Set what a robot's base or arm shall do from the next step on, until the next command.
 
         Raises:
-            SimError: no such robot or actuator, or a value that is no finite twist.
+            SimError: no such robot or actuator, or a value that is no finite twist or angle.
         """
-        wheeled = self._robot(robot)
-        wheeled.command(check_twist(robot, actuator, value, "bullet"))
+        commanded = self._robot(robot)
+        if actuator == "arm" and robot in self._builders:
+            self._builders[robot].move_arm(check_angle(robot, value))
+        else:
+            commanded.command(check_twist(robot, actuator, value, "bullet"))
+
+    def arm_angles(self) -> Mapping[str, float]:
+        """Give the angle of joint 1 of every robot that has an arm [rad], by the robot's id, in the setup's order."""
+        return {robot_id: robot.arm_angle() for robot_id, robot in self._builders.items()}
 
     def step(self) -> None:
         """Let one tick pass."""
         engine = self._running
-        for _ in range(self._physics_steps):
+        builders = self._builders.values()
+        steps = self._choose_steps() if builders else self._physics_steps
+        for _ in range(steps):
+            for robot in builders:
+                robot.prepare(self._physics_step)
             engine.bullet.stepSimulation(physicsClientId=engine.client)
         self._has_moved = True
 
@@ -207,19 +235,33 @@ class BulletWorld:
         if engine is not None:
             engine.close()
 
+    def _choose_steps(self) -> int:
+        """Set how long physics steps are in this tick; give how many."""
+        loose = self._bodies
+        if loose.stirs != self._stirs:
+            self._stirs = loose.stirs
+            self._settling = math.ceil(SETTLING / self._tick)
+        is_fine = self._settling > 0 or is_at_work(self._builders, loose)
+        self._settling = max(0, self._settling - 1)
+        steps = self._fine_steps if is_fine else self._physics_steps
+        if self._tick / steps != self._physics_step:
+            self._physics_step = self._tick / steps
+            self._running.set_step(self._physics_step)
+        return steps
+
     @property
     def _running(self) -> Engine:
         if self._engine is None:
-            raise SimError("world bullet: not built yet or closed; call reset first")
+            raise SimError(_NOT_BUILT)
         return self._engine
 
     @property
     def _bodies(self) -> LooseBodies:
         if self._engine is None or self._loose is None:
-            raise SimError("world bullet: not built yet or closed; call reset first")
+            raise SimError(_NOT_BUILT)
         return self._loose
 
-    def _robot(self, robot_id: str) -> WheeledRobot:
+    def _robot(self, robot_id: str) -> BulletRobot:
         if self._engine is None or robot_id not in self._robots:
             raise SimError(f"robot {robot_id}: not in this world; there are: {', '.join(self._robots) or 'none'}")
         return self._robots[robot_id]
@@ -227,20 +269,20 @@ class BulletWorld:
     @property
     def _seen(self) -> Sight:
         if self._engine is None or self._sight is None:
-            raise SimError("world bullet: not built yet or closed; call reset first")
+            raise SimError(_NOT_BUILT)
         return self._sight
 
     def _look(self) -> None:
         """Read where robots are, at most once a step; of many a step nobody asks."""
-        engine = self._running
+        if self._engine is None:
+            raise SimError(_NOT_BUILT)
         if not self._has_moved:
             return
         self._has_moved = False
-        locate, client = engine.bullet.getBasePositionAndOrientation, engine.client
         numbers: List[float] = []
         yaws: List[float] = []
         for robot in self._robots.values():
-            position, (x, y, z, w) = locate(robot.body, client)
+            position, (x, y, z, w) = robot.frame()
             numbers += position
             numbers += (x, y, z, w)
             yaws.append(math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)))
@@ -248,6 +290,16 @@ class BulletWorld:
         self._poses = np.empty((len(yaws), 3))
         self._poses[:, :2] = self._frames[:, :2]
         self._poses[:, 2] = yaws
+
+
+def _built(engine: Engine, robot: PlacedRobot) -> BulletRobot:
+    if robot.model.drive == "differential":
+        return WheeledRobot(engine, robot)
+    if robot.model.arm is None:
+        raise SimError(
+            f"robot {robot.id}: model {robot.model.name}: world bullet builds a mecanum drive with an arm only"
+        )
+    return MecanumRobot(engine, robot, robot.model.arm)
 
 
 def _physics_steps(setup: WorldSetup) -> int:

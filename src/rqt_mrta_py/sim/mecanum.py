@@ -1,0 +1,81 @@
+"""Mecanum wheels: what a base's twist means for its four wheels, and the other way round.
+
+Wheels are front left, front right, rear left, rear right; x points forward, y to the left.
+
+D. de O. Dantas, *Implementação de um Sistema Autônomo de Construção de Estrutura usando Aprendizado por Reforço*,
+Universidade Federal do Maranhão, 2017 (Dantas 2017), sections 3.1 and 3.2.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple, Tuple
+
+from rqt_mrta_py.model import Twist
+
+__all__ = ["MecanumWheels", "within_wheel_speed"]
+
+Speeds = Tuple[float, float, float, float]
+
+
+class MecanumWheels(NamedTuple):
+    """Four mecanum wheels at the corners of a rectangle.
+
+    Attributes:
+        radius: of a wheel, r [m].
+        half_lengths: half of the distance between axles and half of that between the wheels of one, s = l_x + l_y [m].
+    """
+
+    radius: float
+    half_lengths: float
+
+    def speeds(self, twist: Twist) -> Speeds:
+        """Give how fast the wheels turn [rad/s].
+
+        w_1 = (vx - vy - s wz) / r    w_2 = (vx + vy + s wz) / r
+        w_3 = (vx + vy - s wz) / r    w_4 = (vx - vy + s wz) / r
+
+        Dantas (2017), equations 3.1 and 3.2.
+
+        Args:
+            twist: of the base.
+        """
+        turn = self.half_lengths * twist.wz
+        return (
+            (twist.vx - twist.vy - turn) / self.radius,
+            (twist.vx + twist.vy + turn) / self.radius,
+            (twist.vx + twist.vy - turn) / self.radius,
+            (twist.vx - twist.vy + turn) / self.radius,
+        )
+
+    def twist(self, speeds: Speeds) -> Twist:
+        """Give the twist of the base of turning wheels.
+
+        vx = r/4 (w_1 + w_2 + w_3 + w_4)    vy = r/4 (-w_1 + w_2 + w_3 - w_4)    wz = r/(4s) (-w_1 + w_2 - w_3 + w_4)
+
+        Dantas (2017), equations 3.3 and 3.4.
+
+        Args:
+            speeds: of the wheels [rad/s].
+        """
+        first, second, third, fourth = speeds
+        quarter = self.radius / 4.0
+        return Twist(
+            quarter * (first + second + third + fourth),
+            quarter * (-first + second + third - fourth),
+            quarter / self.half_lengths * (-first + second - third + fourth),
+        )
+
+
+def within_wheel_speed(wheels: MecanumWheels, twist: Twist, most: float) -> Twist:
+    """Slow a twist down, its direction kept, until no wheel turns too fast.
+
+    Args:
+        wheels: of the base.
+        twist: that is wanted.
+        most: of a wheel [rad/s].
+    """
+    fastest = max(map(abs, wheels.speeds(twist)))
+    if fastest <= most:
+        return twist
+    share = most / fastest
+    return Twist(twist.vx * share, twist.vy * share, twist.wz * share)
