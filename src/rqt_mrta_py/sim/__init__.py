@@ -8,7 +8,7 @@
 * ``sensing``: sensors on robots: when they measure, rays cast together, ``/tf``
 * ``simulated_robot``: what one robot makes of its commands; ``drivers``: what all robots are commanded
 * ``arms``, ``magnets``: where builders are told to move their arms, and what they hold
-* ``grippers``: what robots take hold of; ``body_labels``: where loose bodies are, for people
+* ``grippers``: what robots take hold of; ``holding``: who holds it; ``body_labels``: where loose bodies are, for people
 * ``schedule``: rates in ticks
 * ``angles``, ``picking``: of many robots at once
 * ``placement``, ``body_placement``, ``requirements``: what is wrong with a scenario, before anything is built

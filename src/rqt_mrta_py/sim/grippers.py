@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Callable, Collection, Dict, Iterator, Mapping, NamedTuple, Optional, Sequence, Tuple
 
-from rqt_mrta_py.hooks import GRIP_HALF_ANGLE, Outgoing, RobotModel, Subscription, TeamHeard, World
+from rqt_mrta_py.hooks import GRIP_HALF_ANGLE, RobotModel, Subscription, TeamHeard, World
 from rqt_mrta_py.model import LooseBody, Pose
-from rqt_mrta_py.sim.schedule import Schedule
+from rqt_mrta_py.sim.holding import Holding
 from rqt_mrta_py.sim.sensing.mount import RobotSaid
 from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
 
@@ -25,9 +25,6 @@ GRIPPER_COMMAND = Subscription("gripper/command", "std_msgs/Float64", ("data",))
 
 GRIPPER_STATE = "gripper/state"
 """Where each robot with a gripper says what it holds (std_msgs/String): the body's id; empty if nothing."""
-
-_STATE_RATE = 2.0
-"""How often a robot says what it holds while that stays the same [Hz]."""
 
 _CLOSED = 0.5
 
@@ -64,12 +61,9 @@ class Grippers:
     """
 
     def __init__(self, robots: Mapping[str, SimulatedRobot], bodies: Sequence[LooseBody], control_rate: int) -> None:
-        self._all = robots
         self._robots = {name: (row, each) for row, (name, each) in enumerate(robots.items()) if _has_one(each.model)}
         self._bodies = {body.id: body for body in bodies}
-        self._schedule = Schedule(min(_STATE_RATE, control_rate), control_rate)
-        self._holds: Dict[str, str] = {}
-        self._told: Dict[str, str] = {}
+        self._holding = Holding({name: each for name, (_, each) in self._robots.items()}, GRIPPER_STATE, control_rate)
         # What was commanded and is not done yet: True to take hold.
         self._wanted: Dict[str, bool] = {}
 
@@ -81,12 +75,12 @@ class Grippers:
     @property
     def kept(self) -> Collection[str]:
         """Ids of all bodies in grippers, those of stopped robots too."""
-        return self._holds.values()
+        return self._holding.kept
 
     @property
     def held(self) -> Mapping[str, str]:
         """Who holds what: robots by the bodies' ids, without what stopped robots hold."""
-        return {body: robot for robot, body in self._holds.items() if not self._all[robot].is_stopped}
+        return self._holding.held
 
     def listener(self, robots: Sequence[str]) -> Tuple[Subscription, Callable[[TeamHeard], None]]:
         """Say what robots hear, each in its own namespace, and who is told of it.
@@ -119,12 +113,12 @@ class Grippers:
             if robot.is_stopped:
                 del self._wanted[name]
             elif not wanted:
-                world.detach(self._holds.pop(name))
+                self._holding.drop(name, world)
                 del self._wanted[name]
             else:
                 body = self._nearest(robot.model, Pose(*where()[row].tolist()), world, taken)
                 if body is not None:
-                    self._take(name, body, world)
+                    self._holding.take(name, body, world)
                     del self._wanted[name]
 
     def tell(self, tick: int) -> Iterator[RobotSaid]:
@@ -133,15 +127,10 @@ class Grippers:
         Args:
             tick: of the mission, from 0.
         """
-        is_due = self._schedule.is_due(tick)
-        for name, (_, robot) in self._robots.items():
-            held = self._holds.get(name, "")
-            if not robot.is_stopped and (is_due or held != self._told.get(name, "")):
-                self._told[name] = held
-                yield RobotSaid(name, (Outgoing(GRIPPER_STATE, "std_msgs/String", {"data": held}),))
+        return self._holding.tell(tick)
 
     def _command(self, name: str, close: bool) -> None:
-        if self._robots[name][1].is_stopped or close == (name in self._holds):
+        if self._robots[name][1].is_stopped or close == (name in self._holding.by_robot):
             self._wanted.pop(name, None)
         else:
             self._wanted[name] = close
@@ -159,14 +148,6 @@ class Grippers:
             if can_grip(model, distance * math.cos(bearing), distance * math.sin(bearing)):
                 found.append(_Near(distance, name))
         return min(found).body if found else None
-
-    def _take(self, name: str, body: str, world: World) -> None:
-        for other, held in list(self._holds.items()):
-            if held == body:
-                world.detach(body)
-                del self._holds[other]
-        world.attach(name, body)
-        self._holds[name] = body
 
 
 def _has_one(model: RobotModel) -> bool:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Callable, Collection, Dict, Iterator, Mapping, Optional, Sequence, Tuple, cast
 
-from rqt_mrta_py.hooks import ArmModel, ArmWorld, BodyState, Outgoing, Subscription, TeamHeard, World
+from rqt_mrta_py.hooks import ArmModel, ArmWorld, BodyState, Subscription, TeamHeard, World
 from rqt_mrta_py.model import LooseBody, Pose
-from rqt_mrta_py.sim.schedule import Schedule
+from rqt_mrta_py.sim.holding import Holding
 from rqt_mrta_py.sim.sensing.mount import RobotSaid
 from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
 
@@ -23,8 +23,6 @@ MAGNET_COMMAND = Subscription("magnet/command", "std_msgs/Float64", ("data",))
 MAGNET_STATE = "magnet/state"
 """Where each robot with a magnet says what it holds (std_msgs/String): the body's id; empty if nothing."""
 
-_STATE_RATE = 2.0
-"""How often a robot says what it holds while that stays the same [Hz]."""
 _ON = 0.5
 _ALIGNED = math.cos(math.radians(10.0))
 """Of the angle between a magnet's face and the face that it holds, at most."""
@@ -81,10 +79,8 @@ class Magnets:
             if robot.model.arm is not None
         }
         self._bodies = {body.id: body for body in bodies}
-        self._schedule = Schedule(min(_STATE_RATE, control_rate), control_rate)
+        self._holding = Holding({name: robots[name] for name in self._arms}, MAGNET_STATE, control_rate)
         self._on = dict.fromkeys(self._arms, False)
-        self._holds: Dict[str, str] = {}
-        self._told: Dict[str, str] = {}
         self._shall_look = False
 
     @property
@@ -95,12 +91,12 @@ class Magnets:
     @property
     def held(self) -> Mapping[str, str]:
         """Who holds what: robots by the bodies' ids, without what stopped robots hold."""
-        return {body: robot for robot, body in self._holds.items() if not self._all[robot].is_stopped}
+        return self._holding.held
 
     @property
     def kept(self) -> Collection[str]:
         """Ids of all bodies at magnets, those of stopped robots too."""
-        return self._holds.values()
+        return self._holding.kept
 
     def listener(self, robots: Sequence[str]) -> Tuple[Subscription, Callable[[TeamHeard], None]]:
         """Say what robots hear, each in its own namespace, and who is told of it.
@@ -125,22 +121,24 @@ class Magnets:
             where: gives true poses of all robots in the frame ``map``: x, y [m] and yaw [rad], shape (robots, 3).
             taken: ids of bodies that others than magnets hold.
         """
-        for name in [name for name in self._holds if not self._on[name]]:
-            world.detach(self._holds.pop(name))
+        holds = self._holding.by_robot
+        for name in [name for name in holds if not self._on[name]]:
+            self._holding.drop(name, world)
         looking = [name for name, on in self._on.items() if on and not self._all[name].is_stopped]
-        if not any(name not in self._holds or self._shall_look for name in looking):
+        if not any(name not in holds or self._shall_look for name in looking):
             return
         angles, states, poses = cast(ArmWorld, world).arm_angles(), world.bodies(), where()
         for name in looking:
             row, arm = self._arms[name]
             base = Pose(*poses[row].tolist())
-            held = self._holds.get(name)
+            held = holds.get(name)
             if held is None:
                 found = self._at_face(name, base, angles[name], states, taken)
                 if found is not None:
-                    self._take(name, found, world)
+                    for loser in self._holding.take(name, found, world):
+                        self._on[loser] = False
             elif not is_at_face(arm, base, angles[name], states[held], self._bodies[held].size):
-                world.detach(self._holds.pop(name))
+                self._holding.drop(name, world)
         self._shall_look = False
 
     def tell(self, tick: int) -> Iterator[RobotSaid]:
@@ -149,14 +147,9 @@ class Magnets:
         Args:
             tick: of the mission, from 0.
         """
-        is_due = self._schedule.is_due(tick)
         # Whether something was torn off need not be asked more often than it is told.
-        self._shall_look = self._shall_look or is_due
-        for name in self._arms:
-            held = self._holds.get(name, "")
-            if not self._all[name].is_stopped and (is_due or held != self._told.get(name, "")):
-                self._told[name] = held
-                yield RobotSaid(name, (Outgoing(MAGNET_STATE, "std_msgs/String", {"data": held}),))
+        self._shall_look = self._shall_look or self._holding.is_due(tick)
+        return self._holding.tell(tick)
 
     def _at_face(
         self,
@@ -174,15 +167,6 @@ class Magnets:
             if is_free and is_at_face(arm, base, angle, states[body], known.size):
                 return body
         return None
-
-    def _take(self, name: str, body: str, world: World) -> None:
-        for other, held in list(self._holds.items()):
-            if held == body:
-                world.detach(body)
-                del self._holds[other]
-                self._on[other] = False
-        world.attach(name, body)
-        self._holds[name] = body
 
 
 def _axes(quaternion: Tuple[float, float, float, float]) -> Tuple[_Vector, _Vector, _Vector]:
