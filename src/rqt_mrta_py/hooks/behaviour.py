@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Callable, Optional, Protocol, Sequence, Union
+from typing import TYPE_CHECKING, Callable, Optional, Protocol, Sequence, Tuple, Union
 
 from rqt_mrta_py.hooks.navigator import Navigator
 from rqt_mrta_py.hooks.robot_model import RobotModel
@@ -45,6 +45,8 @@ class BehaviourSetup:
         random: this robot's own generator.
         map_revision: counts how often the map that the navigator plans on has changed, up to now; None: it is known
             from the start and stays.
+        team: ids of all robots of the application, in its order, this one included.
+        tasks: those of any kind that this robot may carry out, present and later ones, in the mission's order.
     """
 
     robot_id: str
@@ -52,6 +54,8 @@ class BehaviourSetup:
     navigator: Navigator
     random: np.random.Generator
     map_revision: Optional[Callable[[], int]] = None
+    team: Tuple[str, ...] = ()
+    tasks: Tuple[Task, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -136,6 +136,8 @@ class HostMaker:
             navigator=navigator,
             random=generator(self._seed, robot_id, Purpose.BEHAVIOUR),
             map_revision=map_revision,
+            team=self._team,
+            tasks=tuple(tasks),
         )
         kinds: List[str] = sorted({kind for task in tasks for kind in (task.kind, *task.layers)})
         return {
