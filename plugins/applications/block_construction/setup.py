@@ -5,6 +5,7 @@ from setuptools import setup
 
 packages = [
     "block_construction",
+    "block_construction.building",
     "block_construction.diagram",
     "block_construction.exact",
     "block_construction.execution",
