@@ -4,26 +4,15 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_right
-from typing import NamedTuple, Sequence, Tuple
+from typing import NamedTuple, Sequence
 
+from block_construction.team.timed_way import TimedPoint
 from rqt_mrta_py.model import Pose, Twist, wrap_angle
 
-__all__ = ["Limits", "Moment", "TimedPoint", "TimedWay", "go_to", "lag", "moment_of", "towards"]
+__all__ = ["Limits", "Moment", "go_to", "lag", "moment_of", "towards"]
 
 _GAIN = 2.0
 """Of what is off now, so much a second is made good [1/s]."""
-
-
-class TimedPoint(NamedTuple):
-    """Where to be when: time [s], x, y [m]."""
-
-    time: float
-    x: float
-    y: float
-
-
-TimedWay = Tuple[TimedPoint, ...]
-"""Straight between points; the last one is held."""
 
 
 class Limits(NamedTuple):

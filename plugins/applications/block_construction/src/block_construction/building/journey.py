@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from typing import FrozenSet, Optional
 
-from block_construction.building.follower import Limits, TimedPoint, TimedWay, go_to, lag, moment_of, towards
+from block_construction.building.follower import Limits, go_to, lag, moment_of, towards
 from block_construction.building.procedures import TRAVEL_SPEED, TURN_RATE
 from block_construction.building.seams import Board, Traffic
 from block_construction.building.slot import Cell
+from block_construction.team.timed_way import TimedPoint, TimedWay
 from rqt_mrta_py.hooks import Perception
 from rqt_mrta_py.model import Pose, Twist
 

@@ -15,7 +15,7 @@ from rqt_mrta_py.model import Pose, Twist, wrap_angle
 
 __all__ = ["Felt", "Outcome", "Performed", "Performer"]
 
-_CLOSE = 0.0004
+_CLOSE = 0.0002
 _SQUARE = 0.0015
 """Where the base is so near to its goal it is there [m, rad]."""
 _ARM_CLOSE = 0.003
@@ -107,6 +107,8 @@ class Performer:
         self._last = now
         self._over_at: Optional[float] = None
         self._target: Optional[float] = None
+        self._pose: Optional[Pose] = None
+        self._before = block
 
     @property
     def action(self) -> Action:
@@ -120,6 +122,10 @@ class Performer:
 
     def step(self, felt: Felt) -> Performed:
         """Carry out one control tick."""
+        self._before, self._pose = self._pose or felt.pose, felt.pose
+        return self._step(felt)
+
+    def _step(self, felt: Felt) -> Performed:
         action = self.action
         if self._number >= len(self._actions):
             return Performed(Outcome.DONE, Twist(), action.angle, action.magnet)
@@ -127,7 +133,7 @@ class Performer:
             if felt.now - self._over_at < action.wait:
                 return self._answer(Outcome.UNDER_WAY, Twist())
             self._begin_next(felt.now)
-            return self.step(felt)
+            return self._step(felt)
         if action.magnet and action.ending is Ending.THERE and self._carries and not felt.held:
             return self._answer(Outcome.LOST, Twist())
         elapsed, self._last = felt.now - self._last, felt.now
@@ -137,7 +143,8 @@ class Performer:
             self._over_at = felt.now
             if action.ending is Ending.HELD:
                 self._carries = True
-                self.grip = grip_of(felt.pose, self._arm.reach_at(felt.angle), self._block)
+                # What is heard now was so when the robot stood where it was a tick ago.
+                self.grip = grip_of(self._before, self._arm.reach_at(felt.angle), self._block)
             return self._answer(Outcome.UNDER_WAY, Twist())
         late = felt.now - self._since
         if action.ending is Ending.HELD and self._is_there(action, goal, felt) and late > _GRASP:

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple
+from typing import Any, Dict, FrozenSet, List, NamedTuple, Optional, Sequence, Set, Tuple
 
 from block_construction.building.errand import Errand, Helpers, ways
 from block_construction.building.eyes import DETECTIONS, Eyes
 from block_construction.building.gripping import CENTRED, Grip
 from block_construction.building.performer import Felt
 from block_construction.building.pose_filter import PoseFilter
-from block_construction.building.procedures import TRAVEL_SPEED, assembly, manipulation
-from block_construction.building.seams import Board, Direct, Solo, Traffic
+from block_construction.building.procedures import TRAVEL_SPEED, assembly
+from block_construction.building.seams import Board, Solo
 from block_construction.building.slot import BlockTask, Cell, block_task
 from block_construction.building.state import BuilderState, Teller
+from block_construction.diagram.block_set import BODY_HEIGHT, PITCH
+from block_construction.team.traffic import Post, Traffic
 from rqt_mrta_py.hooks import (
     ArmModel,
     BehaviourSetup,
@@ -43,6 +45,10 @@ ODOMETRY = Subscription(
 KIND = "place_block"
 
 _STALE = 2.0
+_PLANNED_SPEED = 0.97 * TRAVEL_SPEED
+"""Ways are planned a little slower than the robot drives, so that it keeps up [m/s]."""
+_LYING = 0.10
+"""Radius of a block that lies ready [m]."""
 _REPEAT = 0.5
 """What arm and magnet were told is told again after so long, for messages may be lost [s]."""
 _SAME_SPEED = 2e-4
@@ -50,7 +56,8 @@ _SAME_TURN = 1e-3
 """Velocities that differ by less are not worth a command [m/s, rad/s]."""
 _SAME_ANGLE = 1e-4
 _WARN = 4  # rosgraph_msgs/Log.WARN
-_STILL = (Command("base", Twist()),)
+_NO_TWIST = Twist()
+_STILL = (Command("base", _NO_TWIST),)
 
 
 class _Told(NamedTuple):
@@ -69,21 +76,21 @@ class PlaceBlock:
     Args:
         setup: whose behaviour.
         board: what others have said.
-        traffic: knows ways; None: straight ones.
 
     Raises:
         ValueError: the robot has no arm.
     """
 
-    def __init__(self, setup: BehaviourSetup, board: Optional[Board] = None, traffic: Optional[Traffic] = None) -> None:
+    def __init__(self, setup: BehaviourSetup, board: Optional[Board] = None) -> None:
         arm = setup.model.arm
         if arm is None:
             raise ValueError(f"robot model {setup.model.name}: tasks of kind {KIND} need a robot with an arm")
         self._setup = setup
         self._arm: ArmModel = arm
-        self._helpers = Helpers(arm, traffic or Direct(0.97 * TRAVEL_SPEED), board or Solo())
-        self._read: Dict[str, Tuple[Task, BlockTask]] = {}
-        self._cells = _cells_by_number(setup.tasks)
+        self._board = board or Solo()
+        self._slots = {task.id: (task, block_task(task)) for task in setup.tasks if task.kind == KIND}
+        self._traffic: Dict[Tuple[Tuple[float, ...], float], Traffic] = {}
+        self._cells = {slot.block: slot.cells for _, slot in self._slots.values()}
         self._covered: Tuple[FrozenSet[int], FrozenSet[Cell]] = (frozenset(), frozenset())
         self._filter = PoseFilter()
         self._odometry: Optional[Heard] = None
@@ -99,7 +106,7 @@ class PlaceBlock:
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Hear arm, magnet, odometry and detector, and what others say."""
-        return (ARM_STATE, MAGNET_STATE, ODOMETRY, DETECTIONS, *self._helpers.board.subscriptions())
+        return (ARM_STATE, MAGNET_STATE, ODOMETRY, DETECTIONS, *self._board.subscriptions())
 
     def applicable(self, task: Task, perception: Perception) -> bool:
         """Tell whether the robot knows where it is, and arm and magnet are heard.
@@ -107,7 +114,9 @@ class PlaceBlock:
         Raises:
             ValueError: the task's data make no sense, or the arm does not reach its level; says why.
         """
-        self._slot(task)
+        slot = self._slot(task)
+        for height in (BODY_HEIGHT / 2.0, slot.z):
+            assembly(self._arm, height, CENTRED.ahead)
         return perception.pose is not None and all(
             _is_fresh(perception, topic) for topic in (ARM_STATE.topic, MAGNET_STATE.topic)
         )
@@ -121,8 +130,8 @@ class PlaceBlock:
         if errand is not None and errand.slot is slot and self._state.task == task.id:
             return errand.left(pose, covered)
         if self._grip_for(slot, _held(perception)) is not None:
-            return ways(self._helpers.traffic, pose, slot, covered, None)
-        lengths = [ways(self._helpers.traffic, pose, slot, covered, fetch) for fetch in slot.supply]
+            return ways(self._traffic_of(slot), pose, slot, covered, None)
+        lengths = [ways(self._traffic_of(slot), pose, slot, covered, fetch) for fetch in slot.supply]
         return min((length for length in lengths if length is not None), default=None)
 
     def start(self, task: Task, perception: Perception) -> None:
@@ -143,7 +152,13 @@ class PlaceBlock:
         errand = self._errand
         if errand is None:
             slot = self._slot(task)
-            errand = self._errand = Errand(self._helpers, slot, self._state, felt, self._grip_for(slot, felt.held))
+            errand = self._errand = Errand(
+                Helpers(self._arm, self._traffic_of(slot), self._board),
+                slot,
+                self._state,
+                felt,
+                self._grip_for(slot, felt.held),
+            )
         seen = self._eyes.look(perception, felt.pose)
         move = errand.step(perception, felt, seen, self._blocks(perception))
         self._holding = (felt.held, errand.slot.units, errand.grip) if felt.held else ("", 0, None)
@@ -171,13 +186,22 @@ class PlaceBlock:
         return Felt(perception.now, pose, *doubts, float(angle.fields["data"]), str(held.fields["data"]))
 
     def _slot(self, task: Task) -> BlockTask:
-        slot = self._read.get(task.id)
-        if slot is None or slot[0] is not task:
-            read = block_task(task)
-            manipulation(self._arm, 0.035)
-            assembly(self._arm, read.z, CENTRED.ahead)
-            slot = self._read[task.id] = (task, read)
-        return slot[1]
+        """Read a task, once; raises ValueError as of ``applicable``."""
+        known = self._slots.get(task.id)
+        if known is None or known[0] is not task:
+            known = self._slots[task.id] = (task, block_task(task))
+            self._cells[known[1].block] = known[1].cells
+        return known[1]
+
+    def _traffic_of(self, slot: BlockTask) -> Traffic:
+        """Give who knows ways around the structure that a slot belongs to."""
+        key = (slot.site, slot.arena)
+        if key not in self._traffic:
+            places = {fetch for _, other in self._slots.values() for fetch in other.supply}
+            posts = sorted({Post(fetch.x, fetch.y, _LYING) for fetch in places})
+            radius = self._setup.model.radius
+            self._traffic[key] = Traffic(slot.arena, slot.site, radius, _PLANNED_SPEED, PITCH, posts=posts)
+        return self._traffic[key]
 
     def _grip_for(self, slot: BlockTask, held: str) -> Optional[Grip]:
         """Give how the robot holds a block that belongs into the slot; None if it holds none."""
@@ -186,7 +210,7 @@ class PlaceBlock:
 
     def _blocks(self, perception: Perception) -> FrozenSet[Cell]:
         """Give the columns and rows that blocks lie on."""
-        placed = self._helpers.board.placed(perception) | self._state.placed
+        placed = self._board.placed(perception) | self._state.placed
         if placed != self._covered[0]:
             cells: Set[Cell] = set()
             for number in placed:
@@ -198,12 +222,13 @@ class PlaceBlock:
         """Give the commands to the base; the same again where little has changed."""
         old = self._twist
         if (
-            abs(twist.vx - old.vx) > _SAME_SPEED
+            twist == _NO_TWIST
+            or abs(twist.vx - old.vx) > _SAME_SPEED
             or abs(twist.vy - old.vy) > _SAME_SPEED
             or abs(twist.wz - old.wz) > _SAME_TURN
         ):
+            self._commands = (Command("base", twist),) if twist != old else self._commands
             self._twist = twist
-            self._commands = (Command("base", twist),)
         return self._commands
 
     def _tell(self, actuator: str, value: float, same: float, now: float, messages: List[Outgoing]) -> None:
@@ -227,15 +252,6 @@ class PlaceBlock:
 def place_block(setup: BehaviourSetup) -> PlaceBlock:
     """Make the behaviour for one robot."""
     return PlaceBlock(setup)
-
-
-def _cells_by_number(tasks: Sequence[Task]) -> Mapping[int, Tuple[Cell, ...]]:
-    cells: Dict[int, Tuple[Cell, ...]] = {}
-    for task in tasks:
-        if task.kind == KIND:
-            slot = block_task(task)
-            cells[slot.block] = slot.cells
-    return cells
 
 
 def _counted(heard: Optional[Heard]) -> Optional[Pose]:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from typing import Collection, FrozenSet, Optional, Protocol, Sequence, Tuple
 
-from block_construction.building.follower import TimedPoint, TimedWay
 from block_construction.building.slot import Cell
+from block_construction.team.timed_way import TimedWay
 from rqt_mrta_py.hooks import Perception, Subscription
 
-__all__ = ["Board", "Direct", "Solo", "Traffic"]
+__all__ = ["Board", "Solo", "Traffic"]
 
 _Place = Tuple[float, float]
 
@@ -66,27 +65,3 @@ class Solo:
     def may_enter(self, perception: Perception, claim: str) -> bool:
         """Nobody is in the way."""
         return True
-
-
-class Direct:
-    """Straight ways, whatever there is; for where nothing is in the way.
-
-    Args:
-        speed: on them [m/s].
-    """
-
-    def __init__(self, speed: float) -> None:
-        self._speed = speed
-
-    def plan(
-        self, start: _Place, goal: _Place, now: float, covered: Collection[Cell], others: Sequence[TimedWay]
-    ) -> Optional[TimedWay]:
-        """Give the straight way."""
-        length = math.hypot(goal[0] - start[0], goal[1] - start[1])
-        if length == 0.0:
-            return (TimedPoint(now, *goal),)
-        return (TimedPoint(now, *start), TimedPoint(now + length / self._speed, *goal))
-
-    def length(self, start: _Place, goal: _Place, covered: Collection[Cell]) -> Optional[float]:
-        """Give the distance [m]."""
-        return math.hypot(goal[0] - start[0], goal[1] - start[1])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, Dict, Optional, Set, Tuple
 
-from block_construction.building.follower import TimedWay
+from block_construction.team.timed_way import TimedWay
 from rqt_mrta_py.hooks import Outgoing
 from rqt_mrta_py.model import Pose
 
