@@ -8,7 +8,7 @@ from typing import NamedTuple, Optional, Sequence
 
 from block_construction.building.actions import Action, Ending
 from block_construction.building.follower import Limits, go_to
-from block_construction.building.gripping import Grip, grip_of, stand_before
+from block_construction.building.gripping import CENTRED, Grip, grip_of, stand_before
 from block_construction.building.procedures import TRAVEL_SPEED, TURN_RATE
 from rqt_mrta_py.hooks import ArmModel
 from rqt_mrta_py.model import Pose, Twist, wrap_angle
@@ -107,8 +107,6 @@ class Performer:
         self._last = now
         self._over_at: Optional[float] = None
         self._target: Optional[float] = None
-        self._pose: Optional[Pose] = None
-        self._before = block
 
     @property
     def action(self) -> Action:
@@ -122,10 +120,6 @@ class Performer:
 
     def step(self, felt: Felt) -> Performed:
         """Carry out one control tick."""
-        self._before, self._pose = self._pose or felt.pose, felt.pose
-        return self._step(felt)
-
-    def _step(self, felt: Felt) -> Performed:
         action = self.action
         if self._number >= len(self._actions):
             return Performed(Outcome.DONE, Twist(), action.angle, action.magnet)
@@ -133,7 +127,7 @@ class Performer:
             if felt.now - self._over_at < action.wait:
                 return self._answer(Outcome.UNDER_WAY, Twist())
             self._begin_next(felt.now)
-            return self._step(felt)
+            return self.step(felt)
         if action.magnet and action.ending is Ending.THERE and self._carries and not felt.held:
             return self._answer(Outcome.LOST, Twist())
         elapsed, self._last = felt.now - self._last, felt.now
@@ -143,8 +137,9 @@ class Performer:
             self._over_at = felt.now
             if action.ending is Ending.HELD:
                 self._carries = True
-                # What is heard now was so when the robot stood where it was a tick ago.
-                self.grip = grip_of(self._before, self._arm.reach_at(felt.angle), self._block)
+                # Pressed against the magnet, it lies square and close.
+                aside = grip_of(felt.pose, self._arm.reach_at(felt.angle), self._block).aside
+                self.grip = CENTRED._replace(aside=aside)
             return self._answer(Outcome.UNDER_WAY, Twist())
         late = felt.now - self._since
         if action.ending is Ending.HELD and self._is_there(action, goal, felt) and late > _GRASP:
