@@ -138,8 +138,11 @@ class AssemblyPlanner:
         help: one line, as ``mrta plan-structure --help`` shows it.
         plan: does it; the same request has the same answer.
         defaults: its settings with their default values; a given value must be of the default's type.
+        prepare: is asked before ``plan``, with the same request, for what is done once in a process, such as importing
+            and compiling: the seconds that are told of planning are those of ``plan`` alone.
     """
 
     help: str
     plan: Callable[[AssemblyRequest], AssemblyOutcome]
     defaults: Mapping[str, Any]
+    prepare: Callable[[AssemblyRequest], None] = lambda _: None

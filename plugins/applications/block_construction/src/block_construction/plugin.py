@@ -7,7 +7,7 @@ from typing import Mapping
 from block_construction.building.place_block import place_block
 from block_construction.exact.planner import EXACT
 from block_construction.experiments.benchmark import add_arguments, measure
-from block_construction.learning.planner import FALA, PLA
+from block_construction.learning.planner import LEARNERS
 from block_construction.verbs.plan_build import PLAN_BUILD
 from block_construction.verbs.plan_structure import PLAN_STRUCTURE
 from rqt_mrta_py.hooks import AssemblyPlanner, BehaviourFactory, Benchmark, Verb, hookimpl
@@ -23,7 +23,7 @@ __all__ = [
 @hookimpl
 def mrta_register_assembly_planners() -> Mapping[str, AssemblyPlanner]:
     """Name the methods of deciding which block goes where."""
-    return {"exact": EXACT, "fala": FALA, "pla": PLA}
+    return {"exact": EXACT, **LEARNERS}
 
 
 @hookimpl
