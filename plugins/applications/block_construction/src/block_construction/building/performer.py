@@ -86,7 +86,8 @@ class Performer:
     """Carries out one procedure at one block.
 
     Attributes:
-        grip: how the block is held, or shall be.
+        block: where the block is or shall be.
+        grip: how it is held, or shall be.
 
     Args:
         arm: of the robot.
@@ -99,7 +100,7 @@ class Performer:
     def __init__(self, arm: ArmModel, actions: Sequence[Action], block: Pose, grip: Grip, now: float) -> None:
         self._arm = arm
         self._actions = actions
-        self._block = block
+        self.block = block
         self._carries = actions[0].magnet
         self.grip = grip
         self._number = 0
@@ -138,7 +139,7 @@ class Performer:
             if action.ending is Ending.HELD:
                 self._carries = True
                 # Pressed against the magnet, it lies square and close.
-                aside = grip_of(felt.pose, self._arm.reach_at(felt.angle), self._block).aside
+                aside = grip_of(felt.pose, self._arm.reach_at(felt.angle), self.block).aside
                 self.grip = CENTRED._replace(aside=aside)
             return self._answer(Outcome.UNDER_WAY, Twist())
         late = felt.now - self._since
@@ -175,8 +176,8 @@ class Performer:
         """Give where the base shall go now."""
         grip = self.grip
         if action.distance is not None:
-            return stand_before(self._block, action.distance - grip.ahead, grip)
-        return stand_before(self._block, self._arm.reach_at(angle), grip)
+            return stand_before(self.block, action.distance - grip.ahead, grip)
+        return stand_before(self.block, self._arm.reach_at(angle), grip)
 
     def _is_over(self, action: Action, goal: Pose, felt: Felt) -> bool:
         if action.ending is Ending.HELD:
