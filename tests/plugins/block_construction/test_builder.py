@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 
 import pytest
@@ -114,9 +115,8 @@ def test_block_that_slides_off_to_before_its_slot_is_taken_up_and_placed_again()
     builder.blocks["b1"] = (1.03, 0.80, 0.035)
     while builder.tick(task).progress is Progress.RUNNING:
         pass
-    assert builder.logs() == [
-        "robot=robot1 task=block1 lost b1 after it was placed; b1 lies at (1.03, 0.80) m, 0.04 m high; takes it up again"
-    ]
+    lies = "b1 lies at (1.03, 0.80) m, 0.04 m high"
+    assert builder.logs() == [f"robot=robot1 task=block1 lost b1 after it was placed; {lies}; takes it up again"]
     assert builder.blocks["b1"] == pytest.approx(SLOT, abs=5e-4)
 
 
@@ -214,15 +214,14 @@ def test_builder_waits_until_others_let_it_pass():
 def test_task_that_makes_no_sense_is_refused_before_anything_moves(changes, problem):
     task = a_task()
     builder = ToyBuilder()
-    with pytest.raises(ValueError) as refusal:
+    with pytest.raises(ValueError, match=f"^{re.escape(problem)}$"):
         builder.behaviour.applicable(replace(task, data={**task.data, **changes}), builder)
-    assert str(refusal.value) == problem
 
 
 def test_task_that_lacks_something_is_refused():
     task = a_task()
     data = {name: value for name, value in task.data.items() if name != "heading"}
-    with pytest.raises(ValueError, match="^data: heading: missing; tasks of kind place_block need it$"):
+    with pytest.raises(ValueError, match=r"^data: heading: missing; tasks of kind place_block need it$"):
         ToyBuilder().behaviour.applicable(replace(task, data=data), ToyBuilder())
 
 
@@ -230,5 +229,5 @@ def test_robot_without_arm_does_not_build():
     from block_construction.building.place_block import PlaceBlock
 
     setup = BehaviourSetup("robot1", CARRIER, navigator=None, random=None)
-    with pytest.raises(ValueError, match="^robot model carrier: tasks of kind place_block need a robot with an arm$"):
+    with pytest.raises(ValueError, match=r"^robot model carrier: tasks of kind place_block need a robot with an arm$"):
         PlaceBlock(setup)

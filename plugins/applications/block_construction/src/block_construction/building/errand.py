@@ -234,7 +234,7 @@ class Errand:
         return self._lose(felt, "after it was placed", found)
 
     def _placed(self, felt: Felt) -> Move:
-        self._helpers.site.put(self.slot.block)
+        self._helpers.site.put(self.slot.block, self._block)
         return self._finish(felt, Progress.DONE, "")
 
     def _miss(self, felt: Felt, block: Pose) -> Move:
@@ -273,11 +273,11 @@ class Errand:
         """Tell whether another block was seen in the slot, more than once."""
         if seen is None:
             return False
-        taken = any(name != self._block and lies_in(each, self.slot) for name, each in seen.items())
-        self._looks = self._looks + 1 if taken else 0
+        inside = [name for name, each in seen.items() if name != self._block and lies_in(each, self.slot)]
+        self._looks = self._looks + 1 if inside else 0
         if self._looks < _LOOKS:
             return False
-        self._helpers.site.put(self.slot.block)
+        self._helpers.site.put(self.slot.block, inside[0])
         return True
 
     def _withdraw(self, felt: Felt, then: _Stage) -> Move:

@@ -158,9 +158,7 @@ class PlaceBlock:
         seen = self._eyes.look(perception, felt.pose)
         messages: List[Outgoing] = []
         if seen is not None:
-            site.look(seen)
-            if state.activity != "placing":
-                messages.extend(self._announce(number, now) for number in site.gone(seen, felt.pose))
+            messages.extend(self._announce(number, now) for number in site.look(seen))
         errand = self._errand
         if errand is None:
             slot = self._slot(task)

@@ -12,14 +12,12 @@ from block_construction.building.slot import BlockTask, Cell, Fetch
 from block_construction.diagram.block_set import PITCH
 from rqt_mrta_py.model import Pose
 
-__all__ = ["Found", "SiteMap", "cells_around", "is_in_lane"]
+__all__ = ["Found", "SiteMap", "cells_around", "is_in_lane", "is_near"]
 
 _LOOKS = 2
-"""A block is gone after it was looked for in vain so often."""
-_NEAR = 0.9
-"""A builder knows what is not there if it would lie so near [m]."""
-_AHEAD = math.radians(60.0)
-"""And within so much to either side of straight ahead [rad]."""
+"""A block is gone after it was seen elsewhere so often."""
+_ASTRAY = 0.03
+"""It stands as long as it is seen so near its slot; that is more than what puts it there, for eyes err [m]."""
 _READY = 0.05
 """A block so near a supply place lies ready there [m]."""
 _ROUND = 0.07
@@ -65,7 +63,7 @@ class SiteMap:
         self._loose: Dict[str, Seen] = {}
         self._loose_cells: FrozenSet[Cell] = frozenset()
         self._slot_of: Dict[str, int] = {}
-        self._in_vain: Dict[int, int] = {}
+        self._astray: Dict[str, int] = {}
         self._covered: Optional[FrozenSet[Cell]] = None
 
     @property
@@ -87,8 +85,9 @@ class SiteMap:
             self.missing -= placed - self._others
             self._others, self._covered = placed, None
 
-    def put(self, number: int) -> None:
-        """Note that a block was seen in its slot."""
+    def put(self, number: int, name: str) -> None:
+        """Note that a block was seen in its slot, and which one it is."""
+        self._slot_of[name] = number
         self.placed.add(number)
         self.missing.discard(number)
         self._covered = None
@@ -99,51 +98,41 @@ class SiteMap:
         self.missing.add(number)
         self._covered = None
 
-    def look(self, seen: Mapping[str, Seen]) -> None:
-        """Take in what is seen."""
-        standing = self.standing
+    def look(self, seen: Mapping[str, Seen]) -> Tuple[int, ...]:
+        """Take in what is seen.
+
+        Args:
+            seen: by id.
+
+        Returns:
+            Numbers of the blocks that stood, and were seen elsewhere twice now.
+        """
+        standing, gone = self.standing, []
         loose: Dict[str, Seen] = {}
         for name, each in seen.items():
+            number = self._slot_of.get(name)
+            if number in standing and number is not None:
+                if is_near(each, self.slots[number]):
+                    self._astray.pop(name, None)
+                    continue
+                self._astray[name] = self._astray.get(name, 0) + 1
+                if self._astray[name] < _LOOKS:
+                    continue
+                del self._slot_of[name], self._astray[name]
+                self.lose(number)
+                gone.append(number)
             if each.held:
                 continue
-            number = self._slot_of.get(name)
-            if number is None or not lies_in(each, self.slots[number]):
-                self._slot_of.pop(name, None)
-                number = next((one for one in standing if lies_in(each, self.slots[one])), None)
-                if number is not None:
-                    self._slot_of[name] = number
-            if number is None and not self._is_ready(each):
+            number = next((one for one in standing if one in self.slots and lies_in(each, self.slots[one])), None)
+            if number is not None and number not in gone:
+                self._slot_of[name] = number
+            elif not self._is_ready(each):
                 loose[name] = each
         self._loose = loose
         cells = self._cells(loose)
         if cells != self._loose_cells:
             self._loose_cells, self._covered = cells, None
-
-    def gone(self, seen: Mapping[str, Seen], robot: Pose) -> Tuple[int, ...]:
-        """Tell which blocks are gone that stood here: looked for in vain twice, where nothing could hide them.
-
-        Args:
-            seen: what is seen.
-            robot: from where.
-        """
-        found: Set[int] = set()
-        for number in sorted(self.standing):
-            slot = self.slots.get(number)
-            if slot is None or self._is_hidden(slot):
-                continue
-            place = relative(robot, Pose(slot.x, slot.y))
-            if math.hypot(place.x, place.y) > _NEAR or abs(math.atan2(place.y, place.x)) > _AHEAD:
-                continue
-            if any(lies_in(each, slot) for each in seen.values()):
-                self._in_vain.pop(number, None)
-                continue
-            self._in_vain[number] = self._in_vain.get(number, 0) + 1
-            if self._in_vain[number] >= _LOOKS:
-                del self._in_vain[number]
-                found.add(number)
-        for number in found:
-            self.lose(number)
-        return tuple(sorted(found))
+        return tuple(sorted(gone))
 
     def barring(self, slot: BlockTask, held: str) -> Optional[Found]:
         """Tell what lies in the way into a slot, or in the slot itself without belonging there: the nearest to it.
@@ -161,12 +150,6 @@ class SiteMap:
             return None
         name = min(inside)[1]
         return Found(name, self._loose[name])
-
-    def _is_hidden(self, slot: BlockTask) -> bool:
-        """Tell whether other blocks stand on one."""
-        cells = set(slot.cells)
-        others = [self.slots[number] for number in self.standing if number in self.slots]
-        return any(other.level > slot.level and not cells.isdisjoint(other.cells) for other in others)
 
     def _is_ready(self, seen: Seen) -> bool:
         return any(math.hypot(seen.x - each.x, seen.y - each.y) <= _READY for each in self._supply())
@@ -194,6 +177,11 @@ def cells_around(seen: Seen, left: float, bottom: float) -> FrozenSet[Cell]:
         for place, edge in ((seen.x, left), (seen.y, bottom))
     )
     return frozenset((column, row) for column in columns for row in rows)
+
+
+def is_near(seen: Seen, slot: BlockTask) -> bool:
+    """Tell whether a block that stood in a slot may still do so."""
+    return math.dist((seen.x, seen.y, seen.z), (slot.x, slot.y, slot.z)) <= _ASTRAY and not seen.held
 
 
 def is_in_lane(seen: Seen, slot: BlockTask) -> bool:
