@@ -81,7 +81,9 @@ def test_what_was_tried_is_drawn_with_the_least_so_far() -> None:
 
 
 def test_how_sure_learners_are_is_drawn_below_what_they_tried() -> None:
-    cost, sure = tried_figure("cost", "t", (5, 3, 4, 3), "cost", (0.25, 0.5, 0.5, 0.75)).charts
+    figure = tried_figure("cost", "t", (5, 3, 4, 3), "cost", (0.25, 0.5, 0.5, 0.75))
+    assert figure.title == "t"
+    cost, sure = figure.charts
     assert [line.x for line in cost.lines] == [(1, 2, 3, 4)] * 2
     (line,) = sure.lines
     assert (line.x, line.y) == ((1, 2, 3, 4), (0.25, 0.5, 0.5, 0.75))

@@ -9,6 +9,7 @@ from rqt_mrta_py.hooks import Chart, Figure, Line
 __all__ = ["tried_figure"]
 
 _MOST_POINTS = 800
+_CONVERGENCE = "Mean over the automata that chose of their greatest probability"
 
 
 class _Course(NamedTuple):
@@ -50,8 +51,7 @@ def tried_figure(
     if convergence:
         sure = _joined(convergence, step)
         line = Line("convergence", *sure[:4], colour=2)
-        title = "Mean over the automata that chose of their greatest probability"
-        charts.append(Chart((line,), "convergence [1]", title, bottom=0.0, top=1.04))
+        charts.append(Chart((line,), "convergence [1]", _CONVERGENCE, bottom=0.0, top=1.04))
     return Figure(name, title, "try", tuple(charts))
 
 

@@ -35,7 +35,9 @@ def noise_curve(title: str, rows: Sequence[NoisyBuilds]) -> Figure:
     """
     listed = sorted(NoisyBuilds(*row) for row in rows)
     shares = [estimated_share(row.whole, row.number) for row in listed]
-    estimates = [each and Estimate(*(100.0 * end for end in each[:3]), each.number) for each in shares]
+    estimates = [
+        each and Estimate(100.0 * each.value, 100.0 * each.low, 100.0 * each.high, each.number) for each in shares
+    ]
     label = "builds that stand whole, of " + _numbers([row.number for row in listed])
     line = estimate_line(label, [100.0 * row.noise for row in listed], estimates)
     # A little more than all, so that the mark of all is seen whole.
