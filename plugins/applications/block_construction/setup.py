@@ -5,6 +5,7 @@ from setuptools import setup
 
 packages = [
     "block_construction",
+    "block_construction.building",
     "block_construction.diagram",
     "block_construction.exact",
     "block_construction.execution",
@@ -12,6 +13,7 @@ packages = [
     "block_construction.learning",
     "block_construction.pictures",
     "block_construction.structure",
+    "block_construction.team",
     "block_construction.verbs",
 ]
 setup(**generate_distutils_setup(packages=packages, package_dir={"": "src"}))

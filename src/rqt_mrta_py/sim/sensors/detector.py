@@ -35,7 +35,7 @@ class Detector:
         self._noise = settings.number("position_noise", 0.02)
         settings.finish()
         self._context = context
-        self._bodies = sorted(context.bodies, key=lambda body: body.id)
+        self._bodies: Sequence[LooseBody] = ()
 
     @property
     def rays(self) -> None:
@@ -47,6 +47,8 @@ class Detector:
         Raises:
             SimError: the world casts no rays.
         """
+        if len(self._bodies) != len(self._context.bodies):
+            self._bodies = sorted(self._context.bodies, key=lambda body: body.id)
         # The same number of draws whatever is seen.
         drawn = self._noise * self._context.random.standard_normal((len(self._bodies), 2))
         detections = []

@@ -4,20 +4,32 @@ from __future__ import annotations
 
 from typing import Mapping
 
+from block_construction.building.place_block import place_block
 from block_construction.exact.planner import EXACT
 from block_construction.experiments.benchmark import add_arguments, measure
 from block_construction.learning.planner import LEARNERS
 from block_construction.verbs.plan_build import PLAN_BUILD
 from block_construction.verbs.plan_structure import PLAN_STRUCTURE
-from rqt_mrta_py.hooks import AssemblyPlanner, Benchmark, Verb, hookimpl
+from rqt_mrta_py.hooks import AssemblyPlanner, BehaviourFactory, Benchmark, Verb, hookimpl
 
-__all__ = ["mrta_register_assembly_planners", "mrta_register_benchmarks", "mrta_register_verbs"]
+__all__ = [
+    "mrta_register_assembly_planners",
+    "mrta_register_behaviours",
+    "mrta_register_benchmarks",
+    "mrta_register_verbs",
+]
 
 
 @hookimpl
 def mrta_register_assembly_planners() -> Mapping[str, AssemblyPlanner]:
     """Name the methods of deciding which block goes where."""
     return {"exact": EXACT, **LEARNERS}
+
+
+@hookimpl
+def mrta_register_behaviours() -> Mapping[str, BehaviourFactory]:
+    """Name what robots build by."""
+    return {"place_block": place_block}
 
 
 @hookimpl
