@@ -187,6 +187,7 @@ class ScenarioEventKind(Enum):
     """What a scenario can make happen.
 
     * ``robot_stops``: it stands still and falls silent on all its topics; ``robot_returns`` undoes one stop.
+    * ``robot_removed``: somebody takes it off the floor for good, with what it holds; an operator tells so.
     * ``robot_sticks``: it stands still but is heard; ``robot_comes_free`` undoes it.
     * ``robot_slows``: it drives at ``factor`` of what it is commanded, from 0 to 1; 1 undoes it.
     * ``robot_clock_shifts``: its clock is off by ``offset`` [s] from then on; 0 sets it right.
@@ -201,6 +202,7 @@ class ScenarioEventKind(Enum):
 
     ROBOT_STOPS = "robot_stops"
     ROBOT_RETURNS = "robot_returns"
+    ROBOT_REMOVED = "robot_removed"
     ROBOT_STICKS = "robot_sticks"
     ROBOT_COMES_FREE = "robot_comes_free"
     ROBOT_SLOWS = "robot_slows"
