@@ -35,7 +35,7 @@ def scenario_text(
             y [m].
     """
     # Blocks may fall and be placed anew; whoever is done earlier only waits.
-    duration = math.ceil((2.0 * of["expected"] + 600.0) / _MINUTE) * 60
+    duration = math.ceil((1.5 * of["expected"] + 300.0) / _MINUTE) * 60
     lines = [
         "world: bullet",
         f"duration: {duration}",
@@ -72,5 +72,6 @@ def _sensors(pose_noise: float) -> List[str]:
     return [
         f"    - {{kind: localiser, topic: pose, rate: 10, position_noise: 0.0, heading_noise: 0.0{noise}}}",
         "    - {kind: odometry, topic: odom, rate: 10}",
-        "    - {kind: detector, topic: detections, rate: 2, max_range: 1.0, fov: 6.283185, position_noise: 0.0}",
+        "    - {kind: detector, topic: detections, rate: 2, max_range: 1.0, fov: 6.283185, position_noise: 0.0, "
+        "from_above: true}",
     ]
