@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, Iterator, Mapping, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Iterator, Mapping, NamedTuple, Tuple
 
 __all__ = ["AssemblyOutcome", "AssemblyPlanner", "AssemblyRequest", "BlockPlacement", "Structure", "Voxel"]
 
@@ -121,13 +121,14 @@ class AssemblyOutcome:
         placements: cover each filled cell of the structure once, none across two concentric layers; in any order.
         proved: whether no other placements cost less.
         costs: of what was tried, in order; empty where nothing was tried.
-        convergence: mean over the automata of the last trial of their greatest probability; None where there are none.
+        convergence: after each trial the mean over the automata that chose in it of their greatest probability; empty
+            where there are none.
     """
 
     placements: Tuple[BlockPlacement, ...]
     proved: bool = False
     costs: Tuple[int, ...] = ()
-    convergence: Optional[float] = None
+    convergence: Tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)

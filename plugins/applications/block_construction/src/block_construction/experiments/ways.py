@@ -19,7 +19,7 @@ WAYS: Mapping[str, Mapping[str, Dict[str, Any]]] = {
         "PLA": {"rate": 0.05, "credit": "local", "converged": 0.995, "reopen": "no"},
     },
     TUNED: {
-        method: {name: tuned[name] for name in ("rate", "credit", "converged")}
+        method: {name: tuned[name] for name in ("rate", "credit", "converged", "leg")}
         for method, tuned in (("FALA", FALA_TUNED), ("PLA", PLA_TUNED))
     },
 }

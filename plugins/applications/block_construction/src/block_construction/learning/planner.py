@@ -39,8 +39,8 @@ def _plan(request: AssemblyRequest) -> AssemblyOutcome:
         compiled=compiled,
         on_progress=request.on_progress,
     )
-    costs = tuple(found.costs.tolist())
-    return AssemblyOutcome(found.placements, found.cost == found.bound, costs, float(found.convergence[-1]))
+    costs, convergence = tuple(found.costs.tolist()), tuple(found.convergence.tolist())
+    return AssemblyOutcome(found.placements, found.cost == found.bound, costs, convergence)
 
 
 def _prepare(request: AssemblyRequest) -> None:

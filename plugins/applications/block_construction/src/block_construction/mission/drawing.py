@@ -47,9 +47,7 @@ class Drawn(NamedTuple):
     plan: Optional[BuildPlan]
 
 
-def draw(
-    settings: BuildSettings, planners: Mapping[str, AssemblyPlanner], check: Callable[[Structure], None]
-) -> Drawn:
+def draw(settings: BuildSettings, planners: Mapping[str, AssemblyPlanner], check: Callable[[Structure], None]) -> Drawn:
     """Find out what is built.
 
     Args:

@@ -51,7 +51,9 @@ def precedence(problem: BuildProblem, nearest: float = 0.40) -> Mapping[int, Fro
 
 
 def _owners(problem: BuildProblem) -> Dict[Tuple[int, int, int], int]:
-    return {(cell.x, cell.y, cell.z): block.number for block in problem.diagram.blocks for cell in block.placement.cells()}
+    return {
+        (cell.x, cell.y, cell.z): block.number for block in problem.diagram.blocks for cell in block.placement.cells()
+    }
 
 
 def _rest_on(problem: BuildProblem, before: _Before) -> None:

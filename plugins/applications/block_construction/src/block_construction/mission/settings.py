@@ -26,7 +26,9 @@ SETTINGS = (
     MissionSetting(
         "method", "which block where: an assembly planner; default: the wall as the source has it, else exact, or pla"
     ),
-    MissionSetting("supply", "corners, corners_all, wall_source (the source's place for the wall), or a file", "corners"),
+    MissionSetting(
+        "supply", "corners, corners_all, wall_source (the source's place for the wall), or a file", "corners"
+    ),
     MissionSetting(
         "planner", f"in which order: {', '.join(sorted(METHODS))}; default: exact, local where groups are large"
     ),

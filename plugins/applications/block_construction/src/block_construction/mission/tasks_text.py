@@ -8,11 +8,11 @@ from typing import Dict, Iterator, List, NamedTuple, Sequence, Tuple
 import numpy as np
 
 from block_construction.diagram.diagram import PlacedBlock
+from block_construction.execution.problem import START
 from block_construction.mission.drawing import Drawn
 from block_construction.mission.fetching import Ready
 from block_construction.mission.numbers import listed, number
 from block_construction.mission.precedence import precedence
-from block_construction.execution.problem import START
 
 __all__ = ["TRAVEL_SPEED", "expected_total", "tasks_text"]
 

@@ -71,7 +71,7 @@ def _main(options: Namespace, tools: VerbTools) -> int:
         folder.draw(isometric_drawing(planned.diagram))
         if planned.costs:
             title = f"{structure.name}: least cost {planned.diagram.cost} by {options.method}, seed {options.seed}"
-            folder.draw(tried_figure("cost", title, planned.costs, "cost: blocks and faults"))
+            folder.draw(tried_figure("cost", title, planned.costs, "cost: blocks and faults", planned.convergence))
     sys.stdout.write((json.dumps(document, indent=2) if options.json else _text(planned)) + "\n")
     return 0
 
