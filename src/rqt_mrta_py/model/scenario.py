@@ -262,12 +262,13 @@ class ScenarioSpec:
         robots: in file order.
         events: by time, then file order.
         world: the name under which the world is registered.
-        duration: of the mission [s].
+        duration: of the mission, at most [s].
         control_rate: control ticks a second [Hz]; an integer, for the tick is the clock.
         picture_period: one monitor picture every so many seconds of mission time; 0 for none [s].
         radio: between robots, at the start.
         planner: the name under which is registered what robots find their ways with.
         bodies: that can be pushed or carried, in file order.
+        linger: the mission ends so long after all tasks have ended that can; None: it goes on to its duration [s].
         dispensers: where further such bodies come from, in file order.
     """
 
@@ -283,6 +284,7 @@ class ScenarioSpec:
     planner: str = "astar"
     bodies: Tuple[LooseBody, ...] = ()
     dispensers: Tuple[Dispenser, ...] = ()
+    linger: Optional[float] = None
 
     @property
     def first_bodies(self) -> Tuple[LooseBody, ...]:
