@@ -11,6 +11,7 @@ packages = [
     "block_construction.execution",
     "block_construction.experiments",
     "block_construction.learning",
+    "block_construction.mission",
     "block_construction.pictures",
     "block_construction.structure",
     "block_construction.team",

@@ -83,9 +83,10 @@ def write_site(
 ) -> str:
     """Write the application to a folder; gives what ``mrta run`` takes for its name."""
     folder.mkdir(parents=True)
+    eyes = {"from_above": True, "max_range": 2.5, "position_noise": 0.0}
     sensors = [
         {"kind": "localiser", "topic": "pose", "rate": 10, "position_noise": noise, "heading_noise": 0.0},
-        {"kind": "detector", "topic": "detections", "rate": 2, "max_range": 2.0, "position_noise": 0.0},
+        {"kind": "detector", "topic": "detections", "rate": 2, **eyes},
     ]
     robots = [
         {"id": f"robot{number}", "model": "mecanum_arm", "start": dict(zip(("x", "y", "yaw"), start))}

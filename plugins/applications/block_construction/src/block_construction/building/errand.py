@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import math
 from enum import Enum
-from typing import FrozenSet, List, Mapping, NamedTuple, Optional, Tuple
+from typing import List, Mapping, NamedTuple, Optional, Tuple
 
 from block_construction.building.eyes import Seen, lies_in
-from block_construction.building.gripping import CENTRED, Grip, stand_before
+from block_construction.building.gripping import CENTRED, Grip
 from block_construction.building.journey import Journey
 from block_construction.building.performer import Felt, Outcome, Performer
-from block_construction.building.procedures import STAND_OFF, assembly, manipulation, withdrawal
+from block_construction.building.procedures import assembly, manipulation, withdrawal
+from block_construction.building.routes import nearest, stand_off, way_length
 from block_construction.building.seams import Board, Traffic
-from block_construction.building.slot import BlockTask, Cell, Fetch
+from block_construction.building.site_map import Found, SiteMap, is_in_lane
+from block_construction.building.slot import BlockTask, Fetch
 from block_construction.building.state import BuilderState
 from block_construction.diagram.block_set import BODY_HEIGHT
 from rqt_mrta_py.hooks import ArmModel, Perception
@@ -25,14 +27,11 @@ _MOST_MISSES = 3
 _MOST_LOSSES = 3
 """So many blocks may be lost on one errand."""
 _LOOKS = 2
-"""Something is believed after it was seen so often."""
+"""What is seen so often is believed."""
 _LONGEST_LOOK = 5.0
 """A builder that sees nothing for so long takes it that it has no eyes [s]."""
-_STOCK = 0.04
-"""So near its place a block lies ready [m]."""
-_PATIENCE = 120.0
-"""So long it waits for a block to lie ready [s]."""
 _ARM_UP = 0.05
+"""The arm is up within so much of its highest angle [rad]."""
 
 
 class Helpers(NamedTuple):
@@ -42,11 +41,13 @@ class Helpers(NamedTuple):
         arm: of the robot.
         traffic: about ways.
         board: about others.
+        site: about blocks.
     """
 
     arm: ArmModel
     traffic: Traffic
     board: Board
+    site: SiteMap
 
 
 class Move(NamedTuple):
@@ -81,6 +82,14 @@ class _Stage(Enum):
 class Errand:
     """Carries out one task.
 
+    What goes wrong is noticed by magnet and eyes. A grip that misses is tried anew; a block that is lost on the way or
+    does not stay in its slot is taken up again if it lies right before the slot, else another one is fetched; what
+    lies in the way into the slot ends the task, and is told.
+
+    Attributes:
+        slot: what is to be placed.
+        grip: how what the robot holds is held; None while it holds nothing for this slot.
+
     Args:
         helpers: whom to ask.
         slot: what is to be placed.
@@ -96,55 +105,38 @@ class Errand:
         self.slot = slot
         self._state = state
         self.grip = grip
-        self.held = felt.held if grip is not None else ""
+        self._block = felt.held if grip is not None else ""
         self._fetch: Optional[Fetch] = None
-        self._at_fetch = Pose(0.0, 0.0)
-        self._height = BODY_HEIGHT / 2.0
         self._journey: Optional[Journey] = None
         self._performer: Optional[Performer] = None
-        self._misses = self._losses = 0
-        self._looks = 0
+        self._misses = self._losses = self._looks = 0
+        self._has_retaken = False
         self._since = felt.now
         self._logs: List[str] = []
-        self._stage = _Stage.TO_SLOT if grip is not None else _Stage.TO_SUPPLY
-        self._next = self._stage
-        if felt.angle < helpers.arm.highest - _ARM_UP:
-            self._stage = _Stage.WITHDRAWING
-            reach = helpers.arm.reach_at(felt.angle) + CENTRED.ahead
-            yaw = felt.pose.yaw
-            before = Pose(felt.pose.x + reach * math.cos(yaw), felt.pose.y + reach * math.sin(yaw), yaw)
-            actions = withdrawal(helpers.arm, felt.angle, magnet=bool(felt.held))
-            self._performer = Performer(helpers.arm, actions, before, CENTRED, felt.now)
+        self._stage = self._next = _Stage.TO_SUPPLY if grip is None else _Stage.TO_SLOT
+        if self._is_arm_down(felt):
+            self._withdraw(felt, self._next)
 
-    @property
-    def is_carrying(self) -> bool:
-        """Tell whether it has the block that it wants to place."""
-        return self._stage in (_Stage.TO_SLOT, _Stage.PLACING)
-
-    def left(self, pose: Pose, covered: FrozenSet[Cell]) -> Optional[float]:
+    def left(self, pose: Pose) -> Optional[float]:
         """Give the ways that are left [m]; None if there is none."""
         if self._stage in (_Stage.PLACING, _Stage.CHECKING):
             return 0.0
-        if self._stage is _Stage.TO_SLOT or self._fetch is None:
-            return ways(self._helpers.traffic, pose, self.slot, covered, None)
-        return ways(self._helpers.traffic, pose, self.slot, covered, self._fetch)
+        fetch = None if self._stage is _Stage.TO_SLOT else self._fetch
+        return way_length(self._helpers.traffic, pose, self.slot, self._helpers.site.covered, fetch)
 
-    def step(
-        self, perception: Perception, felt: Felt, seen: Optional[Mapping[str, Seen]], covered: FrozenSet[Cell]
-    ) -> Move:
+    def step(self, perception: Perception, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> Move:
         """Carry out one control tick.
 
         Args:
             perception: of the robot.
             felt: what it knows of itself.
-            seen: what it sees, if that is new.
-            covered: what blocks lie on.
+            seen: what it sees, if that is new; the site map knows it already.
         """
         stage = self._stage
         if stage is _Stage.TO_SUPPLY:
-            move = self._go_to_supply(perception, felt, seen, covered)
+            move = self._go_to_supply(perception, felt, seen)
         elif stage is _Stage.TO_SLOT:
-            move = self._go_to_slot(perception, felt, seen, covered)
+            move = self._go_to_slot(perception, felt, seen)
         elif stage is _Stage.CHECKING:
             move = self._check(felt, seen)
         else:
@@ -154,64 +146,52 @@ class Errand:
             self._logs.clear()
         return move
 
-    def _go_to_supply(
-        self, perception: Perception, felt: Felt, seen: Optional[Mapping[str, Seen]], covered: FrozenSet[Cell]
-    ) -> Move:
-        if self._is_taken(seen, ""):
+    def _go_to_supply(self, perception: Perception, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> Move:
+        if self._is_taken(seen):
             return self._finish(felt, Progress.DONE, "its slot is taken already")
         helpers, fetch = self._helpers, self._fetch
         if fetch is None:
-            fetch = nearest(helpers.traffic, felt.pose, self.slot, covered)
-            self._fetch = fetch
-            self._at_fetch, self._height = Pose(fetch.x, fetch.y, fetch.heading), BODY_HEIGHT / 2.0
+            fetch = self._fetch = nearest(helpers.traffic, felt.pose, self.slot, helpers.site.covered)
         if self._journey is None:
-            self._journey = Journey(helpers.traffic, helpers.board, _stand(self._at_fetch))
-            self._claim(fetch.claim, felt.now)
-        if not helpers.board.may_enter(perception, fetch.claim):
-            return self._wait(felt)
-        twist = self._drive(perception, felt, covered)
+            self._journey = Journey(helpers.traffic, helpers.board, stand_off(fetch.facing))
+        twist = self._drive(self._journey, perception, felt, fetch.claim)
         if twist is not None:
             return Move(twist, helpers.arm.highest, magnet=False)
-        actions = manipulation(helpers.arm, self._height)
-        self._performer = Performer(helpers.arm, actions, self._at_fetch, CENTRED, felt.now)
-        return self._enter(_Stage.FETCHING, felt)
+        return self._take(felt, fetch.facing, BODY_HEIGHT / 2.0)
 
-    def _go_to_slot(
-        self, perception: Perception, felt: Felt, seen: Optional[Mapping[str, Seen]], covered: FrozenSet[Cell]
-    ) -> Move:
+    def _go_to_slot(self, perception: Perception, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> Move:
         helpers, slot = self._helpers, self.slot
         if not felt.held:
-            return self._lose(felt, "on the way")
-        if self._is_taken(seen, felt.held):
+            return self._lose(felt, "on the way", None)
+        if self._is_taken(seen):
             return self._finish(felt, Progress.DONE, "its slot is taken already")
         if self._journey is None:
-            self._journey = Journey(helpers.traffic, helpers.board, _stand(slot.facing))
-            self._claim(f"slot:{slot.block}", felt.now)
-        if not helpers.board.may_enter(perception, f"slot:{slot.block}"):
-            return self._wait(felt)
-        twist = self._drive(perception, felt, covered)
+            self._journey = Journey(helpers.traffic, helpers.board, stand_off(slot.facing))
+        twist = self._drive(self._journey, perception, felt, slot.claim)
         if twist is not None:
             return Move(twist, helpers.arm.highest, magnet=True)
+        found = helpers.site.barring(slot, felt.held)
+        if found is not None:
+            return self._finish(felt, Progress.FAILED, f"{found}, in the way into the slot of block {slot.block}")
         grip = self.grip or CENTRED
         self._performer = Performer(helpers.arm, assembly(helpers.arm, slot.z, grip.ahead), slot.facing, grip, felt.now)
         return self._enter(_Stage.PLACING, felt)
 
-    def _drive(self, perception: Perception, felt: Felt, covered: FrozenSet[Cell]) -> Optional[Twist]:
-        journey = self._journey
-        if journey is None:
-            return None
-        twist = journey.step(perception, felt.pose, covered)
-        self._state.way = journey.way
-        self._state.activity = "driving" if journey.waits_since is None else "waiting"
-        self._state.action = ""
+    def _drive(self, journey: Journey, perception: Perception, felt: Felt, claim: str) -> Optional[Twist]:
+        """Claim where the way leads, and drive there once nobody else goes first; None once there."""
+        self._state.claims.setdefault(claim, felt.now)
+        if self._helpers.board.may_enter(perception, claim):
+            twist = journey.step(perception, felt.pose, self._helpers.site.covered)
+        else:
+            twist = journey.hold(felt.now, felt.pose)
+        self._state.way, self._state.action = journey.way, ""
+        self._state.activity = "waiting" if journey.is_waiting else "driving"
         return twist
 
-    def _wait(self, felt: Felt) -> Move:
-        journey = self._journey
-        twist = Twist() if journey is None else journey.hold(felt.now, felt.pose)
-        self._state.activity, self._state.action = "waiting", ""
-        self._state.way = () if journey is None else journey.way
-        return Move(twist, self._helpers.arm.highest, magnet=bool(felt.held))
+    def _take(self, felt: Felt, block: Pose, height: float) -> Move:
+        actions = manipulation(self._helpers.arm, height)
+        self._performer = Performer(self._helpers.arm, actions, block, CENTRED, felt.now)
+        return self._enter(_Stage.FETCHING, felt)
 
     def _perform(self, felt: Felt) -> Move:
         performer, stage = self._performer, self._stage
@@ -223,29 +203,29 @@ class Errand:
         if performed.outcome is Outcome.UNDER_WAY:
             return Move(performed.twist, performed.arm, performed.magnet)
         if performed.outcome is Outcome.DONE:
-            return self._go_on(felt)
+            return self._go_on(felt, performer.grip)
         if performed.outcome is Outcome.LOST:
-            return self._lose(felt, f"while {self._state.activity}")
+            return self._lose(felt, f"while {self._state.activity}", None)
         if performed.outcome is Outcome.MISSED:
-            return self._miss(felt)
+            return self._miss(felt, performer.block)
         return self._finish(felt, Progress.FAILED, f"something is in the way while {self._state.activity}")
 
-    def _go_on(self, felt: Felt) -> Move:
+    def _go_on(self, felt: Felt, grip: Grip) -> Move:
         if self._stage is _Stage.WITHDRAWING:
             return self._enter(self._next, felt)
-        if self._stage is _Stage.FETCHING and self._performer is not None:
-            self.grip, self.held = self._performer.grip, felt.held
-            if self._fetch is not None:
-                self._state.claims.pop(self._fetch.claim, None)
-            return self._enter(_Stage.TO_SLOT, felt)
-        return self._enter(_Stage.CHECKING, felt)
+        if self._stage is _Stage.PLACING:
+            return self._enter(_Stage.CHECKING, felt)
+        self.grip, self._block = grip, felt.held
+        if self._fetch is not None:
+            self._state.claims.pop(self._fetch.claim, None)
+        return self._enter(_Stage.TO_SLOT, felt)
 
     def _check(self, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> Move:
         if seen is None:
             if felt.now - self._since > _LONGEST_LOOK:
                 return self._placed(felt)
             return self._stand(felt)
-        found = seen.get(self.held)
+        found = seen.get(self._block)
         if found is not None and lies_in(found, self.slot):
             return self._placed(felt)
         self._looks += 1
@@ -254,101 +234,72 @@ class Errand:
         return self._lose(felt, "after it was placed", found)
 
     def _placed(self, felt: Felt) -> Move:
-        self._state.placed.add(self.slot.block)
-        self._state.missing.discard(self.slot.block)
+        self._helpers.site.put(self.slot.block, self._block)
         return self._finish(felt, Progress.DONE, "")
 
-    def _miss(self, felt: Felt) -> Move:
+    def _miss(self, felt: Felt, block: Pose) -> Move:
         self._misses += 1
-        where = f"({self._at_fetch.x:.2f}, {self._at_fetch.y:.2f}) m"
+        where = f"({block.x:.2f}, {block.y:.2f}) m"
         if self._misses > _MOST_MISSES:
             return self._finish(felt, Progress.FAILED, f"nothing could be gripped at {where}")
-        self._logs.append(f"nothing gripped at {where}; try {self._misses + 1}")
-        self._journey = None
-        self._next = _Stage.TO_SUPPLY
-        self._stage = _Stage.WITHDRAWING
-        arm = self._helpers.arm
-        actions = withdrawal(arm, felt.angle, magnet=False)
-        self._performer = Performer(arm, actions, self._at_fetch, CENTRED, felt.now)
-        return self._stand(felt)
+        self._logs.append(f"nothing gripped at {where}; tries again")
+        return self._withdraw(felt, _Stage.TO_SUPPLY)
 
-    def _lose(self, felt: Felt, when: str, found: Optional[Seen] = None) -> Move:
+    def _lose(self, felt: Felt, when: str, found: Optional[Seen]) -> Move:
         self._losses += 1
-        where = "" if found is None else f"; it lies at ({found.x:.2f}, {found.y:.2f}) m, {found.z:.2f} m high"
-        text = f"lost {self.held or 'its block'} {when}{where}"
-        self._state.missing.add(self.slot.block)
+        where = "" if found is None else f"; {Found(self._block, found)}"
+        text = f"lost {self._block or 'a block'} {when}{where}"
+        self._helpers.site.lose(self.slot.block)
         if self._losses > _MOST_LOSSES:
             return self._finish(felt, Progress.FAILED, text)
+        self.grip, self._fetch = None, None
+        if found is not None and not self._has_retaken and self._is_in_reach(found):
+            self._has_retaken = True
+            self._logs.append(f"{text}; takes it up again")
+            return self._take(felt, Pose(found.x, found.y, self.slot.heading), found.z)
         self._logs.append(f"{text}; fetches another")
-        self.grip, self.held, self._fetch, self._journey = None, "", None, None
-        self._next = _Stage.TO_SUPPLY
-        if felt.angle < self._helpers.arm.highest - _ARM_UP:
-            self._stage = _Stage.WITHDRAWING
-            actions = withdrawal(self._helpers.arm, felt.angle, magnet=False)
-            self._performer = Performer(self._helpers.arm, actions, self.slot.facing, CENTRED, felt.now)
-            return self._stand(felt)
+        self._block = ""
+        self._state.claims.pop(self.slot.claim, None)
+        if self._is_arm_down(felt):
+            return self._withdraw(felt, _Stage.TO_SUPPLY)
         return self._enter(_Stage.TO_SUPPLY, felt)
 
-    def _is_taken(self, seen: Optional[Mapping[str, Seen]], held: str) -> bool:
+    def _is_in_reach(self, found: Seen) -> bool:
+        """Tell whether a block that did not stay lies upright right before its slot, or askew in it."""
+        levels = (found.z - BODY_HEIGHT / 2.0) / BODY_HEIGHT
+        return is_in_lane(found, self.slot) and abs(levels - round(levels)) < 0.1 and found.z < self.slot.z + 0.02
+
+    def _is_taken(self, seen: Optional[Mapping[str, Seen]]) -> bool:
         """Tell whether another block was seen in the slot, more than once."""
         if seen is None:
             return False
-        taken = any(name != held and lies_in(each, self.slot) for name, each in seen.items())
-        self._looks = self._looks + 1 if taken else 0
+        inside = [name for name, each in seen.items() if name != self._block and lies_in(each, self.slot)]
+        self._looks = self._looks + 1 if inside else 0
         if self._looks < _LOOKS:
             return False
-        self._state.placed.add(self.slot.block)
+        self._helpers.site.put(self.slot.block, inside[0])
         return True
 
-    def _claim(self, claim: str, now: float) -> None:
-        self._state.claims.setdefault(claim, now)
+    def _withdraw(self, felt: Felt, then: _Stage) -> Move:
+        """Go back from whatever is before the robot, and raise the arm."""
+        arm, yaw = self._helpers.arm, felt.pose.yaw
+        reach = arm.reach_at(felt.angle) + CENTRED.ahead
+        before = Pose(felt.pose.x + reach * math.cos(yaw), felt.pose.y + reach * math.sin(yaw), yaw)
+        actions = withdrawal(arm, felt.angle, magnet=bool(felt.held))
+        self._performer = Performer(arm, actions, before, CENTRED, felt.now)
+        self._next = then
+        return self._enter(_Stage.WITHDRAWING, felt)
+
+    def _is_arm_down(self, felt: Felt) -> bool:
+        return felt.angle < self._helpers.arm.highest - _ARM_UP
 
     def _enter(self, stage: _Stage, felt: Felt) -> Move:
         self._stage, self._since, self._looks, self._journey = stage, felt.now, 0, None
         return self._stand(felt)
 
     def _stand(self, felt: Felt) -> Move:
-        arm = self._helpers.arm
-        return Move(Twist(), arm.highest if felt.angle >= arm.highest - _ARM_UP else felt.angle, bool(felt.held))
+        return Move(Twist(), felt.angle if self._is_arm_down(felt) else self._helpers.arm.highest, bool(felt.held))
 
     def _finish(self, felt: Felt, progress: Progress, detail: str) -> Move:
         self._state.claims.clear()
         return self._stand(felt)._replace(progress=progress, detail=detail)
-
-
-def ways(
-    traffic: Traffic, pose: Pose, slot: BlockTask, covered: FrozenSet[Cell], fetch: Optional[Fetch]
-) -> Optional[float]:
-    """Give the ways from somewhere over a supply place to a slot [m].
-
-    Args:
-        traffic: knows ways.
-        pose: of the robot.
-        slot: where to.
-        covered: what blocks lie on.
-        fetch: the supply place; None: the robot has its block already.
-
-    Returns:
-        Both together; None if there is none.
-    """
-    goal = _stand(slot.facing)
-    if fetch is None:
-        return traffic.length((pose.x, pose.y), (goal.x, goal.y), covered)
-    stand = _stand(Pose(fetch.x, fetch.y, fetch.heading))
-    fetching = traffic.length((pose.x, pose.y), (stand.x, stand.y), covered)
-    placing = traffic.length((stand.x, stand.y), (goal.x, goal.y), covered)
-    return None if fetching is None or placing is None else fetching + placing
-
-
-def nearest(traffic: Traffic, pose: Pose, slot: BlockTask, covered: FrozenSet[Cell]) -> Fetch:
-    """Give the supply place with the shortest ways; arguments as of ``ways``."""
-
-    def length(fetch: Fetch) -> float:
-        found = ways(traffic, pose, slot, covered, fetch)
-        return math.inf if found is None else found
-
-    return min(slot.supply, key=length)
-
-
-def _stand(block: Pose) -> Pose:
-    return stand_before(block, STAND_OFF - CENTRED.ahead, CENTRED)

@@ -27,6 +27,10 @@ _PATIENCE = 1.0
 class Journey:
     """Drives to one place, turning meanwhile; asks for a way, follows it, asks again when it has gone astray.
 
+    Attributes:
+        way: that is reserved; empty before the first step.
+        is_waiting: whether the robot stays where it is, for somebody goes first, or there is no way at present.
+
     Args:
         traffic: knows ways.
         board: knows what others have reserved.
@@ -36,15 +40,10 @@ class Journey:
     def __init__(self, traffic: Traffic, board: Board, goal: Pose) -> None:
         self._traffic = traffic
         self._board = board
-        self.goal = goal
-        self._way: Optional[TimedWay] = None
+        self._goal = goal
         self._asked = -math.inf
-        self.waits_since: Optional[float] = None
-
-    @property
-    def way(self) -> TimedWay:
-        """That is reserved; empty if none was found yet."""
-        return self._way or ()
+        self.way: TimedWay = ()
+        self.is_waiting = False
 
     def step(self, perception: Perception, pose: Pose, covered: FrozenSet[Cell]) -> Optional[Twist]:
         """Carry out one control tick.
@@ -57,33 +56,22 @@ class Journey:
         Returns:
             The velocities; None once it is there, be it not turned yet.
         """
-        now, goal = perception.now, self.goal
+        now, goal = perception.now, self._goal
         if math.hypot(goal.x - pose.x, goal.y - pose.y) <= _ARRIVED:
             return None
-        way = self._way
-        if way is None or lag(moment_of(way, now), pose) > _ASTRAY:
-            way = self._ask(perception, pose, covered)
-        if way is None:
-            return Twist()
-        return towards(pose, moment_of(way, now), goal.yaw, _LIMITS)
+        is_astray = not self.way or self.is_waiting or lag(moment_of(self.way, now), pose) > _ASTRAY
+        if is_astray and now - self._asked >= _PATIENCE:
+            self._asked = now
+            others = self._board.others(perception)
+            found = self._traffic.plan((pose.x, pose.y), (goal.x, goal.y), now, covered, others)
+            if found is None:
+                return self.hold(now, pose)
+            self.way, self.is_waiting = found, False
+        return towards(pose, moment_of(self.way, now), goal.yaw, _LIMITS)
 
     def hold(self, now: float, pose: Pose) -> Twist:
         """Stay where the robot is, and turn towards the goal meanwhile."""
-        if self._way is None or len(self._way) > 1:
-            self._way = (TimedPoint(now, pose.x, pose.y),)
-        _, x, y = self._way[0]
-        return go_to(pose, Pose(x, y, self.goal.yaw), _LIMITS)
-
-    def _ask(self, perception: Perception, pose: Pose, covered: FrozenSet[Cell]) -> Optional[TimedWay]:
-        now = perception.now
-        if now - self._asked < _PATIENCE:
-            return self._way if self._way is not None and self.waits_since is None else None
-        self._asked = now
-        others = self._board.others(perception)
-        found = self._traffic.plan((pose.x, pose.y), (self.goal.x, self.goal.y), now, covered, others)
-        if found is None:
-            self._way = (TimedPoint(now, pose.x, pose.y),)
-            self.waits_since = now if self.waits_since is None else self.waits_since
-            return None
-        self._way, self.waits_since = found, None
-        return found
+        if not self.is_waiting or not self.way:
+            self.way, self.is_waiting = (TimedPoint(now, pose.x, pose.y),), True
+        _, x, y = self.way[0]
+        return go_to(pose, Pose(x, y, self._goal.yaw), _LIMITS)

@@ -8,7 +8,7 @@ from typing import NamedTuple, Optional, Sequence
 
 from block_construction.building.actions import Action, Ending
 from block_construction.building.follower import Limits, go_to
-from block_construction.building.gripping import Grip, grip_of, stand_before
+from block_construction.building.gripping import CENTRED, Grip, grip_of, stand_before
 from block_construction.building.procedures import TRAVEL_SPEED, TURN_RATE
 from rqt_mrta_py.hooks import ArmModel
 from rqt_mrta_py.model import Pose, Twist, wrap_angle
@@ -86,7 +86,8 @@ class Performer:
     """Carries out one procedure at one block.
 
     Attributes:
-        grip: how the block is held, or shall be.
+        block: where the block is or shall be.
+        grip: how it is held, or shall be.
 
     Args:
         arm: of the robot.
@@ -99,7 +100,7 @@ class Performer:
     def __init__(self, arm: ArmModel, actions: Sequence[Action], block: Pose, grip: Grip, now: float) -> None:
         self._arm = arm
         self._actions = actions
-        self._block = block
+        self.block = block
         self._carries = actions[0].magnet
         self.grip = grip
         self._number = 0
@@ -107,8 +108,6 @@ class Performer:
         self._last = now
         self._over_at: Optional[float] = None
         self._target: Optional[float] = None
-        self._pose: Optional[Pose] = None
-        self._before = block
 
     @property
     def action(self) -> Action:
@@ -122,10 +121,6 @@ class Performer:
 
     def step(self, felt: Felt) -> Performed:
         """Carry out one control tick."""
-        self._before, self._pose = self._pose or felt.pose, felt.pose
-        return self._step(felt)
-
-    def _step(self, felt: Felt) -> Performed:
         action = self.action
         if self._number >= len(self._actions):
             return Performed(Outcome.DONE, Twist(), action.angle, action.magnet)
@@ -133,7 +128,7 @@ class Performer:
             if felt.now - self._over_at < action.wait:
                 return self._answer(Outcome.UNDER_WAY, Twist())
             self._begin_next(felt.now)
-            return self._step(felt)
+            return self.step(felt)
         if action.magnet and action.ending is Ending.THERE and self._carries and not felt.held:
             return self._answer(Outcome.LOST, Twist())
         elapsed, self._last = felt.now - self._last, felt.now
@@ -143,8 +138,9 @@ class Performer:
             self._over_at = felt.now
             if action.ending is Ending.HELD:
                 self._carries = True
-                # What is heard now was so when the robot stood where it was a tick ago.
-                self.grip = grip_of(self._before, self._arm.reach_at(felt.angle), self._block)
+                # Pressed against the magnet, it lies square and close.
+                aside = grip_of(felt.pose, self._arm.reach_at(felt.angle), self.block).aside
+                self.grip = CENTRED._replace(aside=aside)
             return self._answer(Outcome.UNDER_WAY, Twist())
         late = felt.now - self._since
         if action.ending is Ending.HELD and self._is_there(action, goal, felt) and late > _GRASP:
@@ -180,8 +176,8 @@ class Performer:
         """Give where the base shall go now."""
         grip = self.grip
         if action.distance is not None:
-            return stand_before(self._block, action.distance - grip.ahead, grip)
-        return stand_before(self._block, self._arm.reach_at(angle), grip)
+            return stand_before(self.block, action.distance - grip.ahead, grip)
+        return stand_before(self.block, self._arm.reach_at(angle), grip)
 
     def _is_over(self, action: Action, goal: Pose, felt: Felt) -> bool:
         if action.ending is Ending.HELD:

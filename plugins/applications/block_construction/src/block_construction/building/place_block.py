@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Dict, FrozenSet, List, NamedTuple, Optional, Sequence, Set, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
-from block_construction.building.errand import Errand, Helpers, ways
+from block_construction.building.errand import Errand, Helpers
 from block_construction.building.eyes import DETECTIONS, Eyes
 from block_construction.building.gripping import CENTRED, Grip
 from block_construction.building.performer import Felt
 from block_construction.building.pose_filter import PoseFilter
 from block_construction.building.procedures import TRAVEL_SPEED, assembly
+from block_construction.building.routes import way_length
 from block_construction.building.seams import Board, Solo
-from block_construction.building.slot import BlockTask, Cell, block_task
+from block_construction.building.site_map import SiteMap
+from block_construction.building.slot import BlockTask, block_task
 from block_construction.building.state import BuilderState, Teller
 from block_construction.diagram.block_set import BODY_HEIGHT, PITCH
 from block_construction.team.traffic import Post, Traffic
@@ -90,8 +92,9 @@ class PlaceBlock:
         self._board = board or Solo()
         self._slots = {task.id: (task, block_task(task)) for task in setup.tasks if task.kind == KIND}
         self._traffic: Dict[Tuple[Tuple[float, ...], float], Traffic] = {}
-        self._cells = {slot.block: slot.cells for _, slot in self._slots.values()}
-        self._covered: Tuple[FrozenSet[int], FrozenSet[Cell]] = (frozenset(), frozenset())
+        self._site = SiteMap()
+        self._site.slots.update({slot.block: slot for _, slot in self._slots.values()})
+        self._numbers = {slot.block: name for name, (_, slot) in self._slots.items()}
         self._filter = PoseFilter()
         self._odometry: Optional[Heard] = None
         self._counted: Optional[Pose] = None
@@ -126,12 +129,13 @@ class PlaceBlock:
         pose, slot = perception.pose, self._slot(task)
         if pose is None:
             return None
-        covered, errand = self._blocks(perception), self._errand
+        errand = self._errand
         if errand is not None and errand.slot is slot and self._state.task == task.id:
-            return errand.left(pose, covered)
+            return errand.left(pose)
+        traffic, covered = self._traffic_of(slot), self._site.covered
         if self._grip_for(slot, _held(perception)) is not None:
-            return ways(self._traffic_of(slot), pose, slot, covered, None)
-        lengths = [ways(self._traffic_of(slot), pose, slot, covered, fetch) for fetch in slot.supply]
+            return way_length(traffic, pose, slot, covered, None)
+        lengths = [way_length(traffic, pose, slot, covered, fetch) for fetch in slot.supply]
         return min((length for length in lengths if length is not None), default=None)
 
     def start(self, task: Task, perception: Perception) -> None:
@@ -149,28 +153,27 @@ class PlaceBlock:
         if felt is None:
             self._twist, self._commands = Twist(), _STILL
             return BehaviourStep(_STILL)
+        now, site, state = perception.now, self._site, self._state
+        site.hear(self._board.placed(perception))
+        seen = self._eyes.look(perception, felt.pose)
+        messages: List[Outgoing] = []
+        if seen is not None:
+            messages.extend(self._announce(number, now) for number in site.look(seen))
         errand = self._errand
         if errand is None:
             slot = self._slot(task)
-            errand = self._errand = Errand(
-                Helpers(self._arm, self._traffic_of(slot), self._board),
-                slot,
-                self._state,
-                felt,
-                self._grip_for(slot, felt.held),
-            )
-        seen = self._eyes.look(perception, felt.pose)
-        move = errand.step(perception, felt, seen, self._blocks(perception))
+            helpers = Helpers(self._arm, self._traffic_of(slot), self._board, site)
+            errand = self._errand = Errand(helpers, slot, state, felt, self._grip_for(slot, felt.held))
+        move = errand.step(perception, felt, seen)
         self._holding = (felt.held, errand.slot.units, errand.grip) if felt.held else ("", 0, None)
-        messages: List[Outgoing] = []
         if move.progress is not Progress.RUNNING:
-            state = self._state
             state.task, state.activity, state.action, state.way = "", "idle", "", ()
             self._errand = None
-        self._tell("arm", move.arm, _SAME_ANGLE, perception.now, messages)
-        self._tell("magnet", 1.0 if move.magnet else 0.0, 0.5, perception.now, messages)
-        messages.extend(self._log(task, line, perception.now) for line in move.logs)
-        messages.extend(self._teller.tell(self._state, perception.now, felt.pose))
+        state.placed, state.missing = frozenset(site.placed), frozenset(site.missing)
+        self._tell("arm", move.arm, _SAME_ANGLE, now, messages)
+        self._tell("magnet", 1.0 if move.magnet else 0.0, 0.5, now, messages)
+        messages.extend(self._log(f"task={task.id} {line}", now) for line in move.logs)
+        messages.extend(self._teller.tell(state, now, felt.pose))
         return BehaviourStep(self._drive(move.twist), move.progress, move.detail, messages)
 
     def _feel(self, perception: Perception) -> Optional[Felt]:
@@ -190,7 +193,8 @@ class PlaceBlock:
         known = self._slots.get(task.id)
         if known is None or known[0] is not task:
             known = self._slots[task.id] = (task, block_task(task))
-            self._cells[known[1].block] = known[1].cells
+            self._site.slots[known[1].block] = known[1]
+            self._numbers[known[1].block] = task.id
         return known[1]
 
     def _traffic_of(self, slot: BlockTask) -> Traffic:
@@ -207,16 +211,6 @@ class PlaceBlock:
         """Give how the robot holds a block that belongs into the slot; None if it holds none."""
         name, units, grip = self._holding
         return grip if held and held == name and units == slot.units else None
-
-    def _blocks(self, perception: Perception) -> FrozenSet[Cell]:
-        """Give the columns and rows that blocks lie on."""
-        placed = self._board.placed(perception) | self._state.placed
-        if placed != self._covered[0]:
-            cells: Set[Cell] = set()
-            for number in placed:
-                cells.update(self._cells.get(number, ()))
-            self._covered = (frozenset(placed), frozenset(cells))
-        return self._covered[1]
 
     def _drive(self, twist: Twist) -> Sequence[Command]:
         """Give the commands to the base; the same again where little has changed."""
@@ -238,14 +232,21 @@ class PlaceBlock:
         self._told[actuator] = _Told(value, now)
         messages.append(Outgoing(f"{actuator}/command", "std_msgs/Float64", {"data": value}))
 
-    def _log(self, task: Task, text: str, now: float) -> Outgoing:
-        robot = self._setup.robot_id
+    def _announce(self, number: int, now: float) -> Outgoing:
+        """Let the task of a block that is gone appear anew, as an operator would."""
+        detail = f"block {number} is not in its slot any more"
         fields = {
             "header": {"stamp": now},
-            "level": _WARN,
-            "name": f"/{robot}/agent",
-            "msg": f"robot={robot} task={task.id} {text}",
+            "task_id": self._numbers[number],
+            "progress": Progress.APPEARED.code,
+            "detail": detail,
         }
+        return Outgoing("/mrta/task_progress", "rqt_mrta_py/TaskProgress", fields)
+
+    def _log(self, text: str, now: float) -> Outgoing:
+        robot = self._setup.robot_id
+        line = f"robot={robot} {text}"
+        fields = {"header": {"stamp": now}, "level": _WARN, "name": f"/{robot}/agent", "msg": line}
         return Outgoing("/rosout", "rosgraph_msgs/Log", fields)
 
 

@@ -27,14 +27,17 @@ _NEARLY_DOWN = 0.001
 """So high the base is set right for the last time [m]."""
 _NEAR = 0.03
 """So far from its end an approach becomes slow, and a retreat fast [m]."""
-_PRESS = 0.004
-"""So far beyond contact the magnet is driven where nothing is felt [m]."""
+_PRESS = 0.003
+"""So far beyond contact the magnet is driven, so that the block lies square before it, and is known to be close [m]."""
 _LIFT = 0.02
 """So far a block is lifted before it is drawn back [m]."""
 
 
 def manipulation(arm: ArmModel, height: float) -> Tuple[Action, ...]:
     """List the actions that fetch a block.
+
+    Differs from the paper: the magnet is switched on after the approach, and not before; it takes what is up to 1 cm
+    away, and how far away that was nobody would know.
 
     Args:
         arm: of the robot.
@@ -49,7 +52,8 @@ def manipulation(arm: ArmModel, height: float) -> Tuple[Action, ...]:
     return (
         Action(Kind.POSITION, arm.highest, STAND_OFF, TRAVEL_SPEED, magnet=False),
         Action(Kind.LOWER, low, STAND_OFF, SLOW, magnet=False),
-        Action(Kind.APPROACH, low, contact + _NEAR, TRAVEL_SPEED, magnet=True, wait=0.0),
+        Action(Kind.APPROACH, low, contact + _NEAR, TRAVEL_SPEED, magnet=False, wait=0.0),
+        Action(Kind.APPROACH, low, contact - _PRESS, SLOW, magnet=False),
         Action(Kind.APPROACH, low, contact - _PRESS, SLOW, magnet=True, ending=Ending.HELD),
         Action(Kind.RAISE, lifted, None, SLOW, magnet=True),
         Action(Kind.RETREAT, lifted, STAND_OFF, TRAVEL_SPEED, magnet=True, wait=0.0),

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Any, Mapping, NamedTuple, Tuple
 
-from block_construction.diagram.block_set import BODY_HEIGHT, BODY_WIDTH
+from block_construction.diagram.block_set import BODY_HEIGHT
 from rqt_mrta_py.model import Pose, Task
 
 __all__ = ["BlockTask", "Cell", "Fetch", "block_task"]
@@ -30,6 +30,11 @@ class Fetch(NamedTuple):
     x: float
     y: float
     heading: float
+
+    @property
+    def facing(self) -> Pose:
+        """The block, as a robot that fetches it faces it [m, rad]."""
+        return Pose(self.x, self.y, self.heading)
 
     @property
     def claim(self) -> str:
@@ -77,14 +82,9 @@ class BlockTask:
         return Pose(self.x, self.y, self.heading)
 
     @property
-    def half_length(self) -> float:
-        """Half of the body's length [m]."""
-        return 0.03 * self.units
-
-    @property
-    def half_width(self) -> float:
-        """Half of the body's width [m]."""
-        return BODY_WIDTH / 2.0
+    def claim(self) -> str:
+        """How robots claim the way into the slot."""
+        return f"slot:{self.block}"
 
 
 def block_task(task: Task) -> BlockTask:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Dict, Optional, Set, Tuple
+from typing import Any, Dict, FrozenSet, Optional, Tuple
 
 from block_construction.team.timed_way import TimedWay
 from rqt_mrta_py.hooks import Outgoing
@@ -28,7 +28,7 @@ class BuilderState:
         action: of the procedure; empty if none.
         way: that is reserved.
         claims: since when what is claimed [s].
-        placed, missing: numbers of blocks.
+        placed, missing: numbers of blocks; see SiteMap.
     """
 
     task: str = ""
@@ -36,8 +36,8 @@ class BuilderState:
     action: str = ""
     way: TimedWay = ()
     claims: Dict[str, float] = field(default_factory=dict)
-    placed: Set[int] = field(default_factory=set)
-    missing: Set[int] = field(default_factory=set)
+    placed: FrozenSet[int] = frozenset()
+    missing: FrozenSet[int] = frozenset()
 
     def message(self, now: float, pose: Pose) -> Outgoing:
         """Put it into words, at a time [s] and a place."""
@@ -60,8 +60,8 @@ class BuilderState:
     def key(self) -> Tuple[object, ...]:
         """Give what is told at once when it changes."""
         return (
-            *(self.task, self.activity, self.action, self.way, tuple(self.claims.items())),
-            *(len(self.placed), len(self.missing)),
+            *(self.task, self.activity, self.action, self.way),
+            *(tuple(self.claims.items()), self.placed, self.missing),
         )
 
 
