@@ -28,6 +28,11 @@ _REACH_OF_MAGNET = 0.01
 _WATCHDOG = 0.5
 """Without a new command for so long the wheels stand still [s]."""
 
+_TICK = 0.02
+"""Of the drivers [s]."""
+_RATES = {"odom": 30.0, "pose": 1.0, "arm/state": 10.0, "magnet/state": 2.0}
+"""How often they say what [Hz]."""
+
 Place = Tuple[float, float, float]
 
 
@@ -135,9 +140,6 @@ class Driver:
         factor: how many times as fast as the wall clock time goes.
     """
 
-    _TICK = 0.02
-    _RATES = {"odom": 30.0, "pose": 1.0, "arm/state": 10.0, "magnet/state": 2.0}
-
     def __init__(self, robot: str, builder: Builder, factor: float) -> None:
         import rospy
         from geometry_msgs.msg import PoseStamped, Twist
@@ -187,10 +189,10 @@ class Driver:
         begin, first = time.monotonic(), self.now
         while not self._rospy.is_shutdown():
             with self._lock:
-                self.now += self._TICK
+                self.now += _TICK
                 if self.now - self._commanded > _WATCHDOG:
                     self.builder.command(0.0, 0.0, 0.0)
-                self.builder.step(self._TICK)
+                self.builder.step(_TICK)
                 said = self._said()
             for topic, message in said:
                 self._speakers[topic].publish(message)
@@ -207,11 +209,11 @@ class Driver:
 
         said: List[Tuple[str, Any]] = []
         builder = self.builder
-        for topic, rate in self._RATES.items():
+        for topic, rate in _RATES.items():
             changed = topic == "magnet/state" and builder.held != self._told_held
             if self.now < self._due.get(topic, 0.0) and not changed:
                 continue
-            self._due[topic] = self.now + 1.0 / rate - self._TICK / 2.0
+            self._due[topic] = self.now + 1.0 / rate - _TICK / 2.0
             if topic == "odom":
                 said.append((topic, self._odometry()))
             elif topic == "pose":
