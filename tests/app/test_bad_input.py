@@ -182,7 +182,7 @@ def test_a_kind_of_task_that_nobody_carries_out_is_told_with_all_kinds(mrta: Mrt
         3,
         [
             "mrta: robot1: task 'wander': no plugin provides a behaviour for its kind 'stroll'; "
-            "accepted: avoid, collect, follow_border, go_to_place, report, wander"
+            "accepted: avoid, collect, follow_border, go_to_place, place_block, report, wander"
         ],
     )
 

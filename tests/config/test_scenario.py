@@ -14,6 +14,7 @@ from rqt_mrta_py.config.yaml.schema import Key, Table, ValueType
 from rqt_mrta_py.errors import ConfigError
 from rqt_mrta_py.model import (
     Arena,
+    Dispenser,
     LooseBody,
     MapKnowledge,
     Obstacle,
@@ -158,6 +159,44 @@ bodies:
         "s.yaml:7: bodies[0]/size: must be above 0 m in each direction (got [0.1, 0.0, 0.1])\n"
         "s.yaml:8: bodies[1]/id: 'can' names two bodies; the first one is in line 7\n"
         "s.yaml:8: bodies[1]/mass: must be a number above 0 kg (got 0)"
+    )
+
+
+def test_friction_of_bodies_and_dispensers_are_read() -> None:
+    text = f"""{MINIMAL}
+bodies:
+  - {{id: b1, x: 1, y: -1, size: [0.18, 0.07, 0.07], friction: 0.8}}
+dispensers:
+  - {{id: sw3, kind: block3, x: 0.2, y: 0.2, yaw: 0.785, size: [0.18, 0.07, 0.07],
+      mass: 0.06, friction: 0.8, stock: 22}}
+  - {{id: /se1, x: 2, y: 0.2, size: [0.06, 0.07, 0.07]}}
+"""
+
+    scenario = read_scenario(text, "s.yaml")
+
+    assert scenario.bodies == (LooseBody("b1", Pose(1.0, -1.0), (0.18, 0.07, 0.07), friction=0.8),)
+    assert scenario.dispensers == (
+        Dispenser("sw3", Pose(0.2, 0.2, 0.785), (0.18, 0.07, 0.07), 0.06, "block3", 0.8, 22),
+        Dispenser("se1", Pose(2.0, 0.2), (0.06, 0.07, 0.07), 0.2, "thing", 0.5, None),
+    )
+    assert [body.id for body in scenario.first_bodies] == ["b1", "sw3_1", "se1_1"]
+
+
+def test_dispensers_that_can_be_none_are_told_all_at_once() -> None:
+    text = f"""{MINIMAL}
+dispensers:
+  - {{id: a, x: 1, y: -1, size: [0.1, 0.1, -1], friction: -0.5}}
+  - {{id: a, x: 2, y: 0, size: [0.1, 0.1, 0.1], stock: 0}}
+"""
+
+    with pytest.raises(ConfigError) as caught:
+        read_scenario(text, "s.yaml")
+
+    assert str(caught.value) == (
+        "s.yaml:7: dispensers[0]/friction: must be a number from 0 N/N (got -0.5)\n"
+        "s.yaml:7: dispensers[0]/size: must be above 0 m in each direction (got [0.1, 0.1, -1.0])\n"
+        "s.yaml:8: dispensers[1]/id: 'a' names two dispensers; the first one is in line 7\n"
+        "s.yaml:8: dispensers[1]/stock: must be a whole number from 1 (got 0)"
     )
 
 

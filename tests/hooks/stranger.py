@@ -39,7 +39,11 @@ from rqt_mrta_py.hooks import (
     Laboratory,
     Line,
     LinkSetup,
+    MadeMission,
     MeasureSetup,
+    MissionMaker,
+    MissionRequest,
+    MissionSetting,
     MonitorView,
     Outgoing,
     PanelSetup,
@@ -452,6 +456,17 @@ class Stranger:
             return AssemblyOutcome(tuple(BlockPlacement(*cell, 1) for cell in cells))
 
         return {"molehill": AssemblyPlanner("crumb by crumb", plan, {})}
+
+    @hookimpl
+    def mrta_register_mission_makers(self) -> Mapping[str, Any]:
+        def make(request: MissionRequest) -> MadeMission:
+            return MadeMission(
+                request.tasks_yaml.replace("distance: 0.6", f"distance: {request.settings['distance']}"),
+                request.scenario_yaml.replace("duration: 180", f"duration: {len(request.team)}"),
+            )
+
+        setting = MissionSetting("distance", "of the protected border from walls [m]", "0.6")
+        return {"border_patrol": MissionMaker((setting,), make, robots=3)}
 
     @hookimpl
     def mrta_register_verbs(self) -> Mapping[str, Any]:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Dict, List, NamedTuple, Sequence
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import pytest
 
 from rqt_mrta_py.app.catalogue.plugins import hook_entries, plugin_entries
 from rqt_mrta_py.app.cli.main import main
 from rqt_mrta_py.app.compose import Host
+from rqt_mrta_py.app.making import making_of
 from rqt_mrta_py.app.observation import Observation
 from rqt_mrta_py.app.outputs.exports import exporters_for
 from rqt_mrta_py.app.outputs.figures import figure_makers_for
@@ -232,6 +233,21 @@ def test_hook_mrta_register_message_observers_hears_the_stream(story: Story) -> 
 def test_hook_mrta_register_assembly_planners_is_found_by_verbs(host: Host, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["dig-deeper"]) == 1
     assert capsys.readouterr().out == "dug 1.0 m below what molehill plans\n"
+
+
+@pytest.mark.parametrize(
+    ("robots", "overrides", "distance", "team"),
+    [(None, (), 0.6, 180.0), (3, (), 0.6, 180.0), (2, (), 0.6, 2.0), (None, ("distance=0.9",), 0.9, 3.0)],
+    ids=["nothing set", "the usual team", "another team", "a setting"],
+)
+def test_hook_mrta_register_mission_makers_makes_tasks_and_scenario_of_settings(
+    host: Host, robots: Optional[int], overrides: Tuple[str, ...], distance: float, team: float
+) -> None:
+    making = making_of(host, "border_patrol", overrides, robots)
+    mission = load_mission(host.registry, "border_patrol", rewrite=making.rewrite)
+    assert {task.id: task.data.get("distance") for task in mission.tasks}["border_protection"] == distance
+    assert mission.scenario is not None
+    assert (mission.scenario.duration, making.robots) == (team, robots or 3)
 
 
 def test_hook_mrta_register_verbs_adds_to_the_command(host: Host, capsys: pytest.CaptureFixture[str]) -> None:

@@ -272,6 +272,16 @@ def test_hook_mrta_register_assembly_planners(stranger: Stranger) -> None:
     assert json.loads(planned.stdout)["counts"] == {"1": 14, "2": 0, "3": 0}
 
 
+def test_hook_mrta_register_mission_makers(stranger: Stranger) -> None:
+    shown = stranger.mrta("show", stranger.application, "--json")
+    (application,) = [each for each in json.loads(shown.stdout)["registered"] if each["kind"] == "application"]
+    assert application["settings"] == [{"name": "heaps", "text": "how many more", "default": "0"}]
+    done = stranger.mrta(*stranger.plan("--set", "heaps=2", "--duration", "1", "--pictures", "0", "--out", "heaps_run"))
+    assert done.returncode == 0, done.stderr
+    summary = json.loads((stranger.folder / "heaps_run/summary.json").read_text(encoding="utf-8"))
+    assert [task["id"] for task in summary["tasks"]] == ["dig", "heap", "heap0", "heap1"]
+
+
 def test_hook_mrta_register_benchmarks(stranger: Stranger) -> None:
     measured = stranger.mrta("bench", "burrowing", "--depth", "2.5")
     assert measured.returncode == 0, measured.stderr

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from rqt_mrta_py.hooks import BodySight, Heard, SceneView
-from rqt_mrta_py.model import Arena, LooseBody, Pose, ScenarioSpec
+from rqt_mrta_py.model import Arena, Dispenser, LooseBody, Pose, ScenarioSpec
 from rqt_mrta_py.render import draw_monitor
 from rqt_mrta_py.render.bodies import place_bodies
 from rqt_mrta_py.render.body_keeper import BodyKeeper
@@ -22,6 +22,7 @@ from tests.render import views
 from tests.render.test_scene import mission
 
 CAN = LooseBody("can", Pose(0.0, 0.0), (0.4, 0.1, 0.2))
+PLACE = Dispenser("place", Pose(2.0, 0.0), (0.9, 0.1, 0.2), stock=2)
 
 
 def told(name: str, x: float, y: float, kind: str = "paper", held: bool = False) -> Dict[str, Any]:
@@ -34,7 +35,7 @@ def heard(*detections: Dict[str, Any], frame: str = "map") -> Heard:
 
 
 def keeper() -> BodyKeeper:
-    return BodyKeeper(ScenarioSpec(Arena(-3.0, -3.0, 3.0, 3.0), (), (), bodies=(CAN,)))
+    return BodyKeeper(ScenarioSpec(Arena(-3.0, -3.0, 3.0, 3.0), (), (), bodies=(CAN,), dispensers=(PLACE,)))
 
 
 def test_bodies_are_shown_where_they_were_told_last() -> None:
@@ -46,6 +47,13 @@ def test_bodies_are_shown_where_they_were_told_last() -> None:
         BodySight("can", "paper", 3.0, 4.5, 0.2, held=True),  # as large as 0.4 m by 0.1 m
         BodySight("tin", "metal", 1.5, 2.0, 0.1),
     )
+
+
+def test_bodies_of_a_dispenser_are_shown_in_their_size() -> None:
+    kept = keeper()
+    kept.hear(heard(told("place_2", 1.0, 2.0), told("place_3", 2.0, 2.0)))
+    assert [(body.id, pytest.approx(body.width)) for body in kept.bodies()] == [("place_2", 0.3), ("place_3", 0.1)]
+    assert [(track.id, pytest.approx(track.width)) for track in kept.tracks()] == [("place_2", 0.3), ("place_3", 0.1)]
 
 
 @pytest.mark.parametrize("wrong", [heard(told("can", 1.0, math.nan)), heard(told("can", 1.0, 1.0), frame="odom")])

@@ -5,11 +5,13 @@ from setuptools import setup
 
 packages = [
     "block_construction",
+    "block_construction.building",
     "block_construction.diagram",
     "block_construction.exact",
     "block_construction.execution",
     "block_construction.experiments",
     "block_construction.learning",
+    "block_construction.mission",
     "block_construction.pictures",
     "block_construction.structure",
     "block_construction.team",

@@ -7,6 +7,7 @@
 * ``compare``: two finished missions side by side
 * ``outputs``: what runs leave; ``watch``: a team that is seen while it works, and nothing left
 * ``mission_message``: a mission as the first message of its bag; ``mission_source``: what a stream is about
+* ``making``: missions that plugins make of what users set
 * ``selection``: part of a mission's team, another world; ``capabilities``: what robots can do
 * ``guard``, ``observers``: plugins' parts, told by name when they fail; ``interrupt``: Ctrl-C
 * ``processes``: what those have in common that share work

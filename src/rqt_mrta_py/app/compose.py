@@ -7,7 +7,7 @@ import logging
 import os
 import sys
 import time
-from typing import List, Mapping, Optional
+from typing import Dict, Hashable, List, Mapping, Optional
 
 from rqt_mrta_py.app.guard import guarded_renderer
 from rqt_mrta_py.app.loading.blocking import is_blocked, warn_of_blocking
@@ -16,7 +16,7 @@ from rqt_mrta_py.app.loading.own_plugins import OWN_PLUGINS
 from rqt_mrta_py.app.loading.registry import registry_only
 from rqt_mrta_py.config.discovery.registration import Registry
 from rqt_mrta_py.errors import HookError, Problem
-from rqt_mrta_py.hooks import Codec, Renderer
+from rqt_mrta_py.hooks import Codec, MadeMission, Renderer
 from rqt_mrta_py.hooks.loading import load_plugins
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.hooks.patience import Patience
@@ -32,12 +32,14 @@ class Host:
         registry: which packages take part, without any plugin's code imported.
         manager: the plugins, loaded and checked.
         problems: what is wrong with packages and plugins that were skipped.
+        made: missions that makers have made, by what they were asked.
     """
 
     def __init__(self, registry: Registry, manager: PluginManager, problems: List[Problem]) -> None:
         self.registry = registry
         self.manager = manager
         self.problems = problems
+        self.made: Dict[Hashable, MadeMission] = {}
 
     def codec(self) -> Codec:
         """Make a codec that knows the message types of every package found."""

@@ -6,9 +6,16 @@ import dataclasses
 from typing import Collection, FrozenSet, Optional, Sequence
 
 from rqt_mrta_py.errors import UsageError
-from rqt_mrta_py.model import MAPPED_TOPICS, MapKnowledge, Mission, ScenarioEvent, ScenarioEventKind
+from rqt_mrta_py.model import (
+    MAPPED_TOPICS,
+    ApplicationSpec,
+    MapKnowledge,
+    Mission,
+    ScenarioEvent,
+    ScenarioEventKind,
+)
 
-__all__ = ["first_robots", "in_world", "with_map", "with_robots"]
+__all__ = ["check_number", "first_robots", "in_world", "with_map", "with_robots"]
 
 
 def with_robots(mission: Mission, robot_ids: Sequence[str]) -> Mission:
@@ -56,12 +63,23 @@ def first_robots(mission: Mission, number: Optional[int]) -> Mission:
     """
     if number is None:
         return mission
-    robots = mission.application.robots
-    if not 1 <= number <= len(robots):
-        raise UsageError(
-            f"--robots {number}: {mission.application.package} has {len(robots)} robots; give 1 to {len(robots)}"
-        )
-    return with_robots(mission, [robot.id for robot in robots[:number]])
+    check_number(mission.application, number)
+    return with_robots(mission, [robot.id for robot in mission.application.robots[:number]])
+
+
+def check_number(application: ApplicationSpec, number: Optional[int]) -> None:
+    """Make sure that an application has so many robots.
+
+    Args:
+        application: as registered.
+        number: how many are wanted; None for all.
+
+    Raises:
+        UsageError: fewer than one, or more than there are.
+    """
+    there = len(application.robots)
+    if number is not None and not 1 <= number <= there:
+        raise UsageError(f"--robots {number}: {application.package} has {there} robots; give 1 to {there}")
 
 
 def in_world(mission: Mission, world: Optional[str], worlds: Collection[str]) -> Mission:

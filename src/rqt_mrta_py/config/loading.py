@@ -20,6 +20,8 @@ from rqt_mrta_py.wording import accepted
 
 __all__ = [
     "LoadedTeam",
+    "MissionFiles",
+    "Rewriting",
     "attempt",
     "listed_tasks",
     "load_team",
@@ -32,6 +34,26 @@ __all__ = [
 _T = TypeVar("_T")
 
 
+class MissionFiles(NamedTuple):
+    """What an application's tasks and scenario are read from.
+
+    Attributes:
+        tasks: text; None where there is none.
+        scenario: likewise.
+        tasks_path: by which problems name it.
+        scenario_path: likewise.
+    """
+
+    tasks: Optional[str]
+    scenario: Optional[str]
+    tasks_path: str
+    scenario_path: str
+
+
+Rewriting = Callable[[ApplicationSpec, MissionFiles], MissionFiles]
+"""From an application and its files to what is read in their place."""
+
+
 class LoadedTeam(NamedTuple):
     """What the files of an application and its architecture say.
 
@@ -39,13 +61,13 @@ class LoadedTeam(NamedTuple):
         team: both of them, and the tasks.
         scenario: what is simulated; None if there is none.
         texts: of the files.
-        tasks_file: the tasks.yaml; None if there is none.
+        tasks_path: by which problems name the tasks' text; empty if there is none.
     """
 
     team: Team
     scenario: Optional[ScenarioSpec]
     texts: MissionTexts
-    tasks_file: Optional[Path] = None
+    tasks_path: str = ""
 
 
 def load_team(
@@ -53,6 +75,7 @@ def load_team(
     application: str,
     architecture: Optional[str] = None,
     read: Callable[[Path], bytes] = read_file,
+    rewrite: Optional[Rewriting] = None,
 ) -> LoadedTeam:
     """Read application, architecture, tasks and scenario.
 
@@ -61,6 +84,7 @@ def load_team(
         application: a registered name, a package's folder, or an rqt_mrta.xml.
         architecture: likewise; None: the one that the application names.
         read: gives the content of a file.
+        rewrite: gives tasks and scenario in place of the files; None: they are read as they are.
 
     Raises:
         DiscoveryError: application or architecture is not registered, and no file either.
@@ -73,16 +97,19 @@ def load_team(
     named = architecture or file.spec.architecture or _no_architecture(source)
     other = find_source(registry, named, RegistrationKind.ARCHITECTURE)
     other_raw = read(other.file)
-    tasks_yaml, scenario_yaml = (yaml_text(path, read) for path in (source.tasks, source.scenario))
+    texts = [yaml_text(path, read) for path in (source.tasks, source.scenario)]
+    files = MissionFiles(texts[0], texts[1], str(source.tasks or ""), str(source.scenario or ""))
+    if rewrite is not None:
+        files = rewrite(file.spec, files)
     problems: List[Problem] = []
     spec = attempt(problems, lambda: read_architecture(other_raw, str(other.file), other.package))
-    tasks = attempt(problems, lambda: tasks_of(file, str(source.file), tasks_yaml, str(source.tasks or "")))
-    scenario = attempt(problems, lambda: scenario_of(file, tasks, scenario_yaml, str(source.scenario or "")))
+    tasks = attempt(problems, lambda: tasks_of(file, str(source.file), files.tasks, files.tasks_path))
+    scenario = attempt(problems, lambda: scenario_of(file, tasks, files.scenario, files.scenario_path))
     if spec is None or tasks is None or problems:
         raise ConfigError(problems)
     team = Team(file.spec, source.file, spec, other.file, tasks)
-    texts = MissionTexts(decode_xml(raw), decode_xml(other_raw), tasks_yaml or "", scenario_yaml or "")
-    return LoadedTeam(team, scenario, texts, source.tasks)
+    told = MissionTexts(decode_xml(raw), decode_xml(other_raw), files.tasks or "", files.scenario or "")
+    return LoadedTeam(team, scenario, told, files.tasks_path)
 
 
 def tasks_of(file: ApplicationFile, path: str, text: Optional[str], tasks_path: str) -> Tuple[Task, ...]:
@@ -104,12 +131,14 @@ def listed_tasks(file: ApplicationFile, text: Optional[str], tasks_path: str) ->
 def unlisted_tasks(file: ApplicationFile, path: str, tasks: Sequence[Task], tasks_path: str) -> List[Problem]:
     """Find tasks that robots name and nobody lists."""
     known = [task.id for task in tasks]
+    # Of a file its name is enough; what was made is named by what it was made of.
+    name_of_tasks = Path(tasks_path).name if Path(tasks_path).is_absolute() else tasks_path
     return [
         Problem(
             path,
             file.task_lines.get((robot, name), 0),
             f"{robot}/tasks",
-            f"{name!r} is not in {Path(tasks_path).name}; {accepted(name, known)}",
+            f"{name!r} is not in {name_of_tasks}; {accepted(name, known)}",
         )
         for name, robots in _wanted(file).items()
         if name not in known

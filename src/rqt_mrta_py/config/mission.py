@@ -8,7 +8,7 @@ from rqt_mrta_py.config.discovery.registration import RegistrationKind, Registry
 from rqt_mrta_py.config.discovery.source import find_source
 from rqt_mrta_py.config.files import read_file
 from rqt_mrta_py.config.fitting import misfit_problems
-from rqt_mrta_py.config.loading import attempt, load_team, scenario_of, tasks_of
+from rqt_mrta_py.config.loading import Rewriting, attempt, load_team, scenario_of, tasks_of
 from rqt_mrta_py.config.parameters.layers import Layer
 from rqt_mrta_py.config.parameters.parameter_file import parse_parameters
 from rqt_mrta_py.config.parameters.task_layers import layered_tasks
@@ -34,6 +34,7 @@ def load_mission(
     checks: Optional[ParameterChecks] = None,
     must_fit: bool = True,
     kinds: Optional[Collection[str]] = None,
+    rewrite: Optional[Rewriting] = None,
 ) -> Mission:
     """Read everything that a mission needs.
 
@@ -48,19 +49,18 @@ def load_mission(
         must_fit: refuse tasks that the architecture does not solve; what has been run already need not fit.
         kinds: of behaviours that there are, to know layers by that a config of the whole team lists for tasks; None:
             they are not looked for.
+        rewrite: gives tasks and scenario in place of the application's files; None: they are read as they are.
 
     Raises:
         DiscoveryError: application or architecture is not registered, and no file either.
         ConfigError: with everything that is wrong in the files.
         HookError: a plugin failed when it was asked.
     """
-    loaded = load_team(registry, application, architecture)
+    loaded = load_team(registry, application, architecture, rewrite=rewrite)
     team = loaded.team
     problems: List[Problem] = []
     if must_fit:
-        problems.extend(
-            misfit_problems(team.architecture, team.tasks, loaded.texts.tasks_yaml, str(loaded.tasks_file or ""))
-        )
+        problems.extend(misfit_problems(team.architecture, team.tasks, loaded.texts.tasks_yaml, loaded.tasks_path))
     resolved = attempt(problems, lambda: resolve_team(team, overrides, checks, served=served))
     tasks = team.tasks if kinds is None else attempt(problems, lambda: layered_tasks(team, kinds))
     if resolved is None or tasks is None or problems:

@@ -10,7 +10,7 @@
 * ``picture``, ``figure``, ``drawing``: in pictures; ``curve_trace`` collects what a panel will show
 * ``parameters``: read and checked
 * ``exporter``, ``observer``: what else hears a mission
-* ``construction``: structures of blocks, and who plans them
+* ``construction``: structures of blocks, and who plans them; ``mission_maker``: missions made of what users set
 * ``verb``, ``benchmark``, ``laboratory``: on the command line
 * ``task_orders``: what operators say of tasks
 
@@ -82,6 +82,7 @@ from rqt_mrta_py.hooks.link import Link, LinkFactory, LinkSetup
 from rqt_mrta_py.hooks.loading import load_plugin, load_plugins
 from rqt_mrta_py.hooks.manager import PluginManager
 from rqt_mrta_py.hooks.measure import Measure, MeasureFactory, MeasureSetup
+from rqt_mrta_py.hooks.mission_maker import MadeMission, MissionMaker, MissionRequest, MissionSetting
 from rqt_mrta_py.hooks.navigator import CostField, Navigator, PlannerFactory, PlannerSetup
 from rqt_mrta_py.hooks.observer import MessageObserverFactory, ObserverSetup
 from rqt_mrta_py.hooks.oddity import (
@@ -225,12 +226,16 @@ __all__ = [
     "LinkFactory",
     "LinkSetup",
     "Listener",
+    "MadeMission",
     "Measure",
     "MeasureFactory",
     "MeasureSetup",
     "MessageExporter",
     "MessageObserverFactory",
     "MissingDependencyError",
+    "MissionMaker",
+    "MissionRequest",
+    "MissionSetting",
     "MonitorPanel",
     "MonitorPanelFactory",
     "MonitorView",

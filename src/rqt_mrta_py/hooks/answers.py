@@ -9,6 +9,7 @@ from typing import Iterator, Mapping, Optional, Pattern, Sequence, Tuple
 
 from rqt_mrta_py.hooks.benchmark import Benchmark
 from rqt_mrta_py.hooks.construction import AssemblyPlanner
+from rqt_mrta_py.hooks.mission_maker import MissionMaker
 from rqt_mrta_py.hooks.robot_model import RobotModel
 from rqt_mrta_py.hooks.stream import Outgoing, OutgoingRows, TeamOutgoing
 from rqt_mrta_py.hooks.verb import Verb
@@ -19,6 +20,7 @@ __all__ = ["json_breach", "message_breach", "registration_breach", "rows_breach"
 _TYPES: Mapping[str, type] = {
     "mrta_register_assembly_planners": AssemblyPlanner,
     "mrta_register_benchmarks": Benchmark,
+    "mrta_register_mission_makers": MissionMaker,
     "mrta_register_robot_models": RobotModel,
     "mrta_register_verbs": Verb,
 }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, Iterator, Mapping, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Iterator, Mapping, NamedTuple, Tuple
 
 __all__ = ["AssemblyOutcome", "AssemblyPlanner", "AssemblyRequest", "BlockPlacement", "Structure", "Voxel"]
 
@@ -121,13 +121,14 @@ class AssemblyOutcome:
         placements: cover each filled cell of the structure once, none across two concentric layers; in any order.
         proved: whether no other placements cost less.
         costs: of what was tried, in order; empty where nothing was tried.
-        convergence: mean over the automata of the last trial of their greatest probability; None where there are none.
+        convergence: after each trial the mean over the automata that chose in it of their greatest probability; empty
+            where there are none.
     """
 
     placements: Tuple[BlockPlacement, ...]
     proved: bool = False
     costs: Tuple[int, ...] = ()
-    convergence: Optional[float] = None
+    convergence: Tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -138,8 +139,11 @@ class AssemblyPlanner:
         help: one line, as ``mrta plan-structure --help`` shows it.
         plan: does it; the same request has the same answer.
         defaults: its settings with their default values; a given value must be of the default's type.
+        prepare: is asked before ``plan``, with the same request, for what is done once in a process, such as importing
+            and compiling: the seconds that are told of planning are those of ``plan`` alone.
     """
 
     help: str
     plan: Callable[[AssemblyRequest], AssemblyOutcome]
     defaults: Mapping[str, Any]
+    prepare: Callable[[AssemblyRequest], None] = lambda _: None

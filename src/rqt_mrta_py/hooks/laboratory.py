@@ -29,7 +29,8 @@ class Experiment:
         world: where.
         robots: how many of the application's robots take part, from the first; the same team for scenario and
             architecture.
-        settings: parameters, as ``--set`` takes them: ``robot1/broadcast_rate=2``, or ``broadcast_rate=2`` for all.
+        settings: parameters, as ``--set`` takes them: ``robot1/broadcast_rate=2``, or ``broadcast_rate=2`` for all; and
+            settings of the application's maker of missions.
         events: instead of the scenario's.
         radio: instead of the scenario's.
         tasks: ids of those that the mission has; the others are left out.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Callable, Mapping, NamedTuple, Optional, Protocol, Sequence, Tuple
+from typing import TYPE_CHECKING, Callable, Collection, Mapping, NamedTuple, Optional, Protocol, Sequence
 
 from rqt_mrta_py.hooks.robot_model import RobotModel
 from rqt_mrta_py.hooks.stream import Outgoing, TeamOutgoing
@@ -39,7 +39,7 @@ class SensorContext:
         setup: topic, rate and parameters.
         start: where the robot starts in the frame ``map``.
         random: this robot's own generator for sensors.
-        bodies: the scenario's loose bodies, as they are at the start.
+        bodies: the scenario's loose bodies, as each was when it appeared; all that there ever were so far.
     """
 
     robot_id: str
@@ -47,7 +47,7 @@ class SensorContext:
     setup: SensorSetup
     start: Pose
     random: np.random.Generator
-    bodies: Tuple[LooseBody, ...] = ()
+    bodies: Collection[LooseBody] = ()
 
 
 class RayPattern(NamedTuple):

@@ -31,6 +31,7 @@ from rqt_mrta_py.hooks.grounds import GroundsReaderFactory
 from rqt_mrta_py.hooks.incident import IncidentRuleFactory
 from rqt_mrta_py.hooks.link import LinkFactory
 from rqt_mrta_py.hooks.measure import MeasureFactory
+from rqt_mrta_py.hooks.mission_maker import MissionMaker
 from rqt_mrta_py.hooks.navigator import PlannerFactory
 from rqt_mrta_py.hooks.observer import MessageObserverFactory
 from rqt_mrta_py.hooks.pace import AllocationPaceFactory
@@ -289,6 +290,18 @@ class HookSpecs:
         Returns: planner by the name that ``--method`` uses.
         Combined: joined; the first registration of a name wins.
         An exception: stops the command; one raised while planning stops it too.
+        """
+
+    @hookspec
+    def mrta_register_mission_makers(self) -> Mapping[str, MissionMaker]:  # type: ignore[empty-body]
+        """Name who makes an application's tasks and scenario from what the user sets.
+
+        Called: once, before a run or a live node starts, and by ``mrta show`` of an application; a maker when the user
+        sets something that is one of its settings (``--set name=value``), or another number of robots than its files
+        are made for. Otherwise the application's files are used as they are.
+        Returns: maker by the package name of the application. What it makes is read and checked as files are.
+        Combined: joined; the first registration of a name wins.
+        An exception: stops the command; one raised while making stops it too.
         """
 
     @hookspec

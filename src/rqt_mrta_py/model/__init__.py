@@ -46,6 +46,7 @@ from rqt_mrta_py.model.record import (
 from rqt_mrta_py.model.scenario import (
     MAPPED_TOPICS,
     Arena,
+    Dispenser,
     LooseBody,
     MapKnowledge,
     Obstacle,
@@ -75,6 +76,7 @@ __all__ = [
     "Candidate",
     "CommunicationGraph",
     "ConfigTemplate",
+    "Dispenser",
     "Event",
     "Evidence",
     "Explanation",

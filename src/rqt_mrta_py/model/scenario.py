@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any, Mapping, Optional, Tuple
@@ -11,6 +12,7 @@ from rqt_mrta_py.model.geometry import Pose
 __all__ = [
     "MAPPED_TOPICS",
     "Arena",
+    "Dispenser",
     "LooseBody",
     "MapKnowledge",
     "Obstacle",
@@ -67,6 +69,7 @@ class LooseBody:
         size: length, width, height [m].
         mass: [kg].
         kind: what it is, as those who look for it call it.
+        friction: coefficient, of it on the floor.
     """
 
     id: str
@@ -74,6 +77,44 @@ class LooseBody:
     size: Tuple[float, float, float]
     mass: float = 0.2
     kind: str = "thing"
+    friction: float = 0.5
+
+
+@dataclass(frozen=True)
+class Dispenser:
+    """A place where loose bodies of one kind come from, one after the other.
+
+    The first lies there at the start. The next one appears once the last one has been carried off: it is farther than
+    its own length from the place, and nothing else is there.
+
+    Attributes:
+        id: unique among dispensers, bodies, obstacles and robots.
+        pose, size, mass, kind, friction: of each body, as of a ``LooseBody``.
+        stock: how many bodies in all; None: as many as are needed.
+    """
+
+    id: str
+    pose: Pose
+    size: Tuple[float, float, float]
+    mass: float = 0.2
+    kind: str = "thing"
+    friction: float = 0.5
+    stock: Optional[int] = None
+
+    def body(self, number: int) -> LooseBody:
+        """Give a body as it appears.
+
+        Args:
+            number: from 1, in the order of their appearance; it ends the body's id, as in ``sw3_1``.
+        """
+        return LooseBody(f"{self.id}_{number}", self.pose, self.size, self.mass, self.kind, self.friction)
+
+    def gives(self, body_id: str) -> bool:
+        """Tell whether a body of this id may come from here."""
+        name, _, number = body_id.rpartition("_")
+        if name != self.id or not re.fullmatch("[1-9][0-9]{0,8}", number):
+            return False
+        return self.stock is None or int(number) <= self.stock
 
 
 @dataclass(frozen=True)
@@ -225,6 +266,7 @@ class ScenarioSpec:
         radio: between robots, at the start.
         planner: the name under which is registered what robots find their ways with.
         bodies: that can be pushed or carried, in file order.
+        dispensers: where further such bodies come from, in file order.
     """
 
     arena: Arena
@@ -238,3 +280,9 @@ class ScenarioSpec:
     radio: RadioSetup = field(default_factory=RadioSetup)
     planner: str = "astar"
     bodies: Tuple[LooseBody, ...] = ()
+    dispensers: Tuple[Dispenser, ...] = ()
+
+    @property
+    def first_bodies(self) -> Tuple[LooseBody, ...]:
+        """The bodies that there are at the start: those listed, then the first one of each dispenser."""
+        return (*self.bodies, *(dispenser.body(1) for dispenser in self.dispensers))

@@ -45,7 +45,8 @@ class BodyKeeper:
 
     def __init__(self, scenario: Optional[ScenarioSpec]) -> None:
         bodies = scenario.bodies if scenario is not None else ()
-        self._widths: Mapping[str, float] = {body.id: math.sqrt(body.size[0] * body.size[1]) for body in bodies}
+        self._dispensers = scenario.dispensers if scenario is not None else ()
+        self._widths: Mapping[str, float] = {body.id: _width(body.size) for body in bodies}
         self._sights: Tuple[BodySight, ...] = ()
         self._kinds: Dict[str, str] = {}
         self._places: Dict[str, List[Tuple[float, float, float, bool]]] = {}
@@ -63,7 +64,7 @@ class BodyKeeper:
         for told in heard.fields["detections"]:
             name, x, y = told["id"], told["position"]["x"], told["position"]["y"]
             if math.isfinite(x + y):
-                width = self._widths.get(name, _DEFAULT_WIDTH)
+                width = self._width(name)
                 sights.append(BodySight(name, told["kind"], x, y, width, told["held"]))
                 self._log(name, told["kind"], (heard.receipt, x, y, told["held"]))
         self._sights = tuple(sorted(sights, key=lambda sight: sight.id))
@@ -75,9 +76,16 @@ class BodyKeeper:
     def tracks(self) -> Tuple[BodyTrack, ...]:
         """Give where each body was, sorted by id."""
         return tuple(
-            BodyTrack(name, self._kinds[name], self._widths.get(name, _DEFAULT_WIDTH), tuple(places))
+            BodyTrack(name, self._kinds[name], self._width(name), tuple(places))
             for name, places in sorted(self._places.items())
         )
+
+    def _width(self, name: str) -> float:
+        width = self._widths.get(name)
+        if width is None:
+            sizes = [dispenser.size for dispenser in self._dispensers if dispenser.gives(name)]
+            width = _width(sizes[0]) if sizes else _DEFAULT_WIDTH
+        return width
 
     def _log(self, name: str, kind: str, place: Tuple[float, float, float, bool]) -> None:
         if self._kept >= _MOST_PLACES:
@@ -87,6 +95,10 @@ class BodyKeeper:
         if not places or _differs(places[-1], place):
             places.append(place)
             self._kept += 1
+
+
+def _width(size: Tuple[float, float, float]) -> float:
+    return math.sqrt(size[0] * size[1])
 
 
 def _differs(before: Tuple[float, float, float, bool], after: Tuple[float, float, float, bool]) -> bool:

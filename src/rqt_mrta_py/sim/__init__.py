@@ -9,6 +9,7 @@
 * ``simulated_robot``: what one robot makes of its commands; ``drivers``: what all robots are commanded
 * ``arms``, ``magnets``: where builders are told to move their arms, and what they hold
 * ``grippers``: what robots take hold of; ``holding``: who holds it; ``body_labels``: where loose bodies are, for people
+* ``dispensers``: which loose bodies there are; ``body_footprints``: what they cover
 * ``schedule``: rates in ticks
 * ``angles``, ``picking``: of many robots at once
 * ``placement``, ``body_placement``, ``requirements``: what is wrong with a scenario, before anything is built

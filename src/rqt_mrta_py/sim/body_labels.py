@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Collection, Iterator, Sequence
+from typing import Collection, Iterator, Mapping
 
 from rqt_mrta_py.hooks import Outgoing, World
 from rqt_mrta_py.model import LooseBody
@@ -20,12 +20,12 @@ class BodyLabels:
     """Tells on ``/simulation/bodies`` twice a second where the bodies of a scenario are, if it has any.
 
     Args:
-        bodies: of the scenario.
+        bodies: by id, all that there ever were so far.
         control_rate: ticks a second [Hz].
     """
 
-    def __init__(self, bodies: Sequence[LooseBody], control_rate: int) -> None:
-        self._bodies = sorted(bodies, key=lambda body: body.id)
+    def __init__(self, bodies: Mapping[str, LooseBody], control_rate: int) -> None:
+        self._bodies = bodies
         self._schedule = Schedule(min(_RATE, control_rate), control_rate)
 
     def due(self, tick: int, now: float, world: World, held: Collection[str]) -> Iterator[Outgoing]:
@@ -41,9 +41,9 @@ class BodyLabels:
             return
         states = world.bodies()
         detections = []
-        for body in self._bodies:
-            x, y, z = states[body.id].position
+        for name in sorted(states.keys() & self._bodies.keys()):
+            x, y, z = states[name].position
             position = {"x": x, "y": y, "z": z}
-            detections.append({"id": body.id, "kind": body.kind, "position": position, "held": body.id in held})
+            detections.append({"id": name, "kind": self._bodies[name].kind, "position": position, "held": name in held})
         fields = {"header": {"stamp": now, "frame_id": "map"}, "detections": detections}
         yield Outgoing(BODIES_TOPIC, "rqt_mrta_py/Detections", fields)

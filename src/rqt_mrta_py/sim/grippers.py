@@ -56,13 +56,15 @@ class Grippers:
 
     Args:
         robots: by id; those without a gripper are passed over.
-        bodies: that there are.
+        bodies: by id, all that there ever were so far.
         control_rate: ticks a second [Hz].
     """
 
-    def __init__(self, robots: Mapping[str, SimulatedRobot], bodies: Sequence[LooseBody], control_rate: int) -> None:
+    def __init__(
+        self, robots: Mapping[str, SimulatedRobot], bodies: Mapping[str, LooseBody], control_rate: int
+    ) -> None:
         self._robots = {name: (row, each) for row, (name, each) in enumerate(robots.items()) if _has_one(each.model)}
-        self._bodies = {body.id: body for body in bodies}
+        self._bodies = bodies
         self._holding = Holding({name: each for name, (_, each) in self._robots.items()}, GRIPPER_STATE, control_rate)
         # What was commanded and is not done yet: True to take hold.
         self._wanted: Dict[str, bool] = {}

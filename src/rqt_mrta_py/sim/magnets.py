@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Callable, Collection, Dict, Iterator, Mapping,
 
 from rqt_mrta_py.hooks import ArmModel, ArmWorld, BodyState, Subscription, TeamHeard, World
 from rqt_mrta_py.model import LooseBody, Pose
+from rqt_mrta_py.sim.body_footprints import axes_of
 from rqt_mrta_py.sim.holding import Holding
 from rqt_mrta_py.sim.sensing.mount import RobotSaid
 from rqt_mrta_py.sim.simulated_robot import SimulatedRobot
@@ -45,7 +46,7 @@ def is_at_face(arm: ArmModel, base: Pose, angle: float, body: BodyState, size: _
         size: its length, width, height [m].
     """
     magnet = arm.magnet_pose(base, angle)
-    along, ahead, up = _axes(body.orientation)
+    along, ahead, up = axes_of(body.orientation)
     if math.cos(base.yaw) * ahead[0] + math.sin(base.yaw) * ahead[1] < _ALIGNED:
         return False
     from_centre = (
@@ -67,18 +68,20 @@ class Magnets:
 
     Args:
         robots: by id; those without an arm are passed over.
-        bodies: that there are.
+        bodies: by id, all that there ever were so far.
         control_rate: ticks a second [Hz].
     """
 
-    def __init__(self, robots: Mapping[str, SimulatedRobot], bodies: Sequence[LooseBody], control_rate: int) -> None:
+    def __init__(
+        self, robots: Mapping[str, SimulatedRobot], bodies: Mapping[str, LooseBody], control_rate: int
+    ) -> None:
         self._all = robots
         self._arms: Dict[str, Tuple[int, ArmModel]] = {
             name: (row, robot.model.arm)
             for row, (name, robot) in enumerate(robots.items())
             if robot.model.arm is not None
         }
-        self._bodies = {body.id: body for body in bodies}
+        self._bodies = bodies
         self._holding = Holding({name: robots[name] for name in self._arms}, MAGNET_STATE, control_rate)
         self._on = dict.fromkeys(self._arms, False)
         self._shall_look = False
@@ -167,15 +170,6 @@ class Magnets:
             if is_free and is_at_face(arm, base, angle, states[body], known.size):
                 return body
         return None
-
-
-def _axes(quaternion: Tuple[float, float, float, float]) -> Tuple[_Vector, _Vector, _Vector]:
-    x, y, z, w = quaternion
-    return (
-        (1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)),
-        (2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)),
-        (2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)),
-    )
 
 
 def _dot(first: _Vector, second: _Vector) -> float:

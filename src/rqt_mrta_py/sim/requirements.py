@@ -66,8 +66,9 @@ def missing_capabilities(
     for event in scenario.events:
         if event.kind in FREEZING:
             needs.setdefault("freeze", f"event {event.kind.value} at {event.time:g} s")
-    if scenario.bodies:
-        needs.setdefault("bodies", f"body {scenario.bodies[0].id}")
+    if scenario.bodies or scenario.dispensers:
+        first = f"body {scenario.bodies[0].id}" if scenario.bodies else f"dispenser {scenario.dispensers[0].id}"
+        needs.setdefault("bodies", first)
         for robot in scenario.robots:
             if {GRIPPER, "magnet"}.intersection(models[robot.model].actuators):
                 needs.setdefault("attach", f"robot {robot.id}")

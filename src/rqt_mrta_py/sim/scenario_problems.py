@@ -63,7 +63,7 @@ def scenario_problems(
     known = _known_part(scenario, models, kinds)
     placed = tuple(PlacedRobot(robot.id, models[robot.model], robot.start) for robot in known.robots)
     ground = (known.arena, known.obstacles, placed)
-    found.extend(placement_problems(*ground) or body_problems(known.bodies, *ground))
+    found.extend(placement_problems(*ground) or body_problems(known.bodies, *ground, known.dispensers))
     found.extend(_raised(lambda: check_ids(WorldSetup(known.arena, known.obstacles, placed, 1.0))))
     mounted: List[Sensing] = []
     found.extend(_raised(lambda: mounted.append(Sensing(known, models, sensors, team_sensors, generators))))

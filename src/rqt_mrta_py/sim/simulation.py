@@ -21,7 +21,6 @@ from typing import (
 from rqt_mrta_py.config.scenario.events import event_problems
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import (
-    Body,
     LinkFactory,
     Outgoing,
     PlacedRobot,
@@ -34,10 +33,11 @@ from rqt_mrta_py.hooks import (
     WorldFactory,
     WorldSetup,
 )
-from rqt_mrta_py.model import LooseBody, Pose, ScenarioEvent, ScenarioSpec
+from rqt_mrta_py.model import Pose, ScenarioEvent, ScenarioSpec
 from rqt_mrta_py.sim.arms import Arms
 from rqt_mrta_py.sim.body_labels import BodyLabels
 from rqt_mrta_py.sim.body_placement import body_problems
+from rqt_mrta_py.sim.dispensers import Dispensers
 from rqt_mrta_py.sim.drivers import Drivers
 from rqt_mrta_py.sim.faults import Faults
 from rqt_mrta_py.sim.grippers import Grippers
@@ -125,15 +125,17 @@ class Simulation:
         _raise_if_any(missing_links(scenario, links))
         placed = tuple(PlacedRobot(robot.id, models[robot.model], robot.start) for robot in scenario.robots)
         ground = (scenario.arena, scenario.obstacles, placed)
-        _raise_if_any(placement_problems(*ground) or body_problems(scenario.bodies, *ground))
+        _raise_if_any(placement_problems(*ground) or body_problems(scenario.bodies, *ground, scenario.dispensers))
         news: Set[str] = set()
         self.robots = {robot.id: SimulatedRobot(robot.id, models[robot.model], news) for robot in scenario.robots}
         self.drivers = Drivers(self.robots, news)
-        self.grippers = Grippers(self.robots, scenario.bodies, scenario.control_rate)
+        self._dispensers = Dispensers(scenario, models)
+        bodies = self._dispensers.bodies
+        self.grippers = Grippers(self.robots, bodies, scenario.control_rate)
         self.arms = Arms(self.robots, scenario.control_rate)
-        self.magnets = Magnets(self.robots, scenario.bodies, scenario.control_rate)
-        self.sensing = Sensing(scenario, models, sensors, team_sensors, generators)
-        self._body_labels = BodyLabels(scenario.bodies, scenario.control_rate)
+        self.magnets = Magnets(self.robots, bodies, scenario.control_rate)
+        self.sensing = Sensing(scenario, models, sensors, team_sensors, generators, bodies=bodies.values())
+        self._body_labels = BodyLabels(bodies, scenario.control_rate)
         self._names = list(self.robots)
         self._events = in_order(scenario)
         self._next_event = 0
@@ -148,8 +150,7 @@ class Simulation:
             blind = blind_sensors(scenario, self.sensing.mounts, capabilities)
             _raise_if_any([*missing_capabilities(scenario, models, capabilities), *blind])
             self.world.reset(WorldSetup(scenario.arena, scenario.obstacles, placed, 1.0 / scenario.control_rate))
-            for body in scenario.bodies:
-                self.world.add_body(_built(body))
+            self._dispensers.begin(self.world)
         except BaseException:
             self.world.close()
             raise
@@ -175,6 +176,7 @@ class Simulation:
         if self._next_event > first:
             self.sensing.leave_out(self._faults.stopped)
         self._clock_offsets = self._faults.clock_offsets(now)
+        self._dispensers.refill(tick, self.world, self._where_they_are)
         return self._events[first : self._next_event]
 
     def sense(self, tick: int, now: float) -> Iterator[Said]:
@@ -282,11 +284,6 @@ class Simulation:
             if offsets
             else np.full(len(self._names), now)
         )
-
-
-def _built(body: LooseBody) -> Body:
-    """Give a body as worlds build it: standing on the floor."""
-    return Body(body.id, (body.pose.x, body.pose.y, body.size[2] / 2.0), body.pose.yaw, body.size, body.mass)
 
 
 def _no_chance(sender: str, receiver: str) -> np.random.Generator:

@@ -16,6 +16,9 @@ obstacles:
 bodies:
   - {id: can}
   - {id: /tin}
+dispensers:
+  - {id: sw3}
+  - {id: /se1, stock: 0}
 robot_defaults:
   model: cart
   sensors: [{kind: gps, topic: pose}, {kind: sonar, topic: scan}]
@@ -40,6 +43,9 @@ events:
         ("body tin: place (0, 0, 0) reaches", "bodies[1]", "place (0, 0, 0) reaches"),
         ("body can: the id is taken", "bodies[0]/id", "the id is taken"),
         ("body can: world planar lacks bodies; x", "bodies[0]", "world planar lacks bodies; x"),
+        ("dispenser se1: place (0, 0, 0) reaches", "dispensers[1]", "place (0, 0, 0) reaches"),
+        ("dispenser sw3: the id is taken", "dispensers[0]/id", "the id is taken"),
+        ("dispenser se1: stock must be", "dispensers[1]/stock", "stock must be"),
         ("robot r1: no robot model 'cart'; x", "robot_defaults/model", "no robot model 'cart'; x"),
         ("robot r2: no robot model 'boat'; x", "robots[1]/model", "no robot model 'boat'; x"),
         ("robot r1: no sensor 'sonar' for scan; x", "robot_defaults/sensors[1]", "no sensor 'sonar' for scan; x"),

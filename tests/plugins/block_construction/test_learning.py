@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from typing import Any, Dict, List, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from block_construction.learning.compiled import has_compiler
 from block_construction.learning.drawing import Reach, draw_action, draw_diagram
 from block_construction.learning.learner import Training, learn
 from block_construction.learning.network import Network, network_of, placements_of
-from block_construction.learning.planner import FALA, PLA
+from block_construction.learning.planner import LEARNERS
 from block_construction.learning.reopening import Standing, fault_rows, least_blocks, reopen, settle
 from block_construction.learning.settings import FALA_DEFAULTS, PLA_DEFAULTS, learning_settings
 from block_construction.learning.state import BEGUN, LEAST, RUN, UNKNOWN, State, initial_state
@@ -23,6 +23,7 @@ from hypothesis import strategies as st
 from rqt_mrta_py.hooks import AssemblyPlanner, BlockPlacement, Structure
 
 LENGTHS = (1, 2, 3)
+FALA, PLA = LEARNERS["fala"], LEARNERS["pla"]
 SQUARE = Structure("square", ((1, 1), (1, 1)))
 """Automata 0 to 3 at (1, 1), (2, 1), (1, 2), (2, 2); actions 1 2 -2, 1 -2, 1 2, 1."""
 
@@ -126,8 +127,9 @@ def test_the_wall_is_learned(planner: AssemblyPlanner) -> None:
     assert planned.diagram.cost == 6
     assert planned.diagram.faults == ()
     assert min(planned.costs) == 6
-    assert planned.convergence is not None
-    assert planned.convergence >= 0.95
+    assert len(planned.convergence) == len(planned.costs)
+    assert planned.convergence[-1] >= 0.95
+    assert max(planned.convergence[:-1]) < 0.95
 
 
 def test_the_same_seed_has_the_same_outcome() -> None:
@@ -182,7 +184,7 @@ def test_a_structure_without_a_choice_is_done_in_one_run() -> None:
     # Three singles, two faults between them.
     assert planned.diagram.cost == 5
     assert planned.costs == (5,)
-    assert planned.convergence == 1.0
+    assert planned.convergence == (1.0,)
 
 
 def test_progress_grows_to_the_end() -> None:
@@ -250,16 +252,36 @@ def test_what_costs_more_is_not_taken() -> None:
     assert (after.probabilities == 0.25).all()
 
 
-def test_local_credit_that_begins_anew_finds_the_cistern() -> None:
-    for seed in range(3):
-        assert trained("cistern", seed, rate=0.05, credit="local", reopen="yes").cost == 32
-
-
-def test_noise_goes_by_the_root_of_the_rate_as_printed_or_by_the_rate() -> None:
-    for scale, deviation in (("root", 0.05), ("rate", 0.025)):
-        rules = learning_settings({**PLA_DEFAULTS, "rate": 0.25, "noise_scale": scale}).rules
+def test_noise_goes_by_the_rate_or_as_printed_by_its_root() -> None:
+    for asked, deviation in (({}, 0.025), ({"noise_scale": "rate"}, 0.025), ({"noise_scale": "root"}, 0.05)):
+        rules = learning_settings({**PLA_DEFAULTS, "rate": 0.25, **asked}).rules
         assert rules.noise == pytest.approx(deviation)
     assert learning_settings(FALA_DEFAULTS).rules.noise == 0.0
+
+
+@pytest.mark.parametrize(
+    ("credit", "reopen", "leg"),
+    [
+        ("global", "auto", None),
+        ("global", "yes", 10_000),
+        ("local", "auto", 10_000),
+        ("local", "yes", 10_000),
+        ("local", "no", None),
+    ],
+)
+def test_automata_begin_anew_under_local_credit_unless_told_otherwise(
+    credit: str, reopen: str, leg: Optional[int]
+) -> None:
+    for defaults in (FALA_DEFAULTS, PLA_DEFAULTS):
+        assert learning_settings({**defaults, "credit": credit, "reopen": reopen}).course.leg == leg
+    assert FALA_DEFAULTS["credit"] == PLA_DEFAULTS["credit"] == "global"
+
+
+@pytest.mark.parametrize("method", ["fala", "pla", "fala-tuned", "pla-tuned"])
+def test_local_credit_is_all_that_the_cistern_takes(method: str) -> None:
+    cistern = library_structure("cistern")
+    planned = plan_diagram(LEARNERS[method], cistern, LENGTHS, seed=5, settings={"credit": "local"})
+    assert (planned.diagram.cost, planned.proved) == (32, True)
 
 
 @pytest.mark.parametrize(

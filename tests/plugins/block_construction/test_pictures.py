@@ -7,13 +7,15 @@ from typing import Any, List
 
 import pytest
 from block_construction.execution.planners import plan_build
+from block_construction.pictures.bars import Handling, handling_bars
 from block_construction.pictures.curves import tried_figure
 from block_construction.pictures.isometric import isometric_drawing, project
 from block_construction.pictures.levels import level_drawing
+from block_construction.pictures.noise_curve import NoisyBuilds, noise_curve
 from block_construction.pictures.ways import plan_drawing
 
 from rqt_mrta_py.app.guard import checked_drawing
-from rqt_mrta_py.hooks import Area, Drawing, Stroke, Words
+from rqt_mrta_py.hooks import Area, Drawing, LineStyle, Stroke, Words
 from tests.plugins.block_construction.builds import RING_BLOCKS, problem
 
 pytest.importorskip("scipy", reason="SciPy finds ways")
@@ -73,5 +75,48 @@ def test_what_was_tried_is_drawn_with_the_least_so_far() -> None:
     assert [(line.x, line.y) for line in chart.lines] == [((1, 2, 3), (5, 3, 4)), ((1, 2, 3), (5, 3, 3))]
     (chart,) = tried_figure("cost", "t", tuple(range(2000, 0, -1)), "cost").charts
     mean, least = chart.lines
-    assert (mean.label, mean.x[0], mean.y[0], mean.low and mean.low[0]) == ("mean of 3", 3.0, 1999.0, 1998.0)
+    assert mean.label == "mean of 3, with least and greatest"
+    assert (mean.x[0], mean.y[0], mean.low and mean.low[0]) == (3.0, 1999.0, 1998.0)
     assert (least.x[-1], least.y[-1]) == (2000.0, 1.0)
+
+
+def test_how_sure_learners_are_is_drawn_below_what_they_tried() -> None:
+    figure = tried_figure("cost", "t", (5, 3, 4, 3), "cost", (0.25, 0.5, 0.5, 0.75))
+    assert figure.title == "t"
+    cost, sure = figure.charts
+    assert [line.x for line in cost.lines] == [(1, 2, 3, 4)] * 2
+    (line,) = sure.lines
+    assert (line.x, line.y) == ((1, 2, 3, 4), (0.25, 0.5, 0.5, 0.75))
+    assert sure.y_label == "convergence [1]"
+
+
+def test_bars_stand_by_structure_beside_the_sources() -> None:
+    """Table 10: the tower took 36 and 48 minutes, 38.4 and 46.1 m."""
+    rows = [("wall", 8.0, 12.0, 9.0, 10.0, None), ("tower", 34.0, 44.0, 36.0, 43.0, (36.0, 48.0, 38.4, 46.1))]
+    figure = handling_bars([Handling(*row) for row in rows])
+    minutes, metres = figure.charts
+    assert minutes.x_ticks == metres.x_ticks == ("wall", "tower")
+    assert (minutes.y_label, metres.y_label) == ("time [min]", "distance [m]")
+    labels = ["fetching", "fetching, source", "placing", "placing, source"]
+    for chart, tower in ((minutes, (34.0, 36.0, 44.0, 48.0)), (metres, (36.0, 38.4, 43.0, 46.1))):
+        assert [line.label for line in chart.lines] == labels
+        assert all(line.style is LineStyle.BARS for line in chart.lines)
+        assert tuple(line.y[1] for line in chart.lines) == tower
+    assert [math.isnan(line.y[0]) for line in minutes.lines] == [False, True, False, True]
+    assert handling_bars(rows) == figure
+
+
+def test_bars_without_anything_of_the_source_leave_no_room_for_it() -> None:
+    (minutes, _) = handling_bars([Handling("wall", 8.0, 12.0, 9.0, 10.0)]).charts
+    assert [line.label for line in minutes.lines] == ["fetching", "placing"]
+
+
+def test_the_share_of_whole_builds_is_drawn_over_the_noise_in_centimetres() -> None:
+    """Wilson's interval of 20 of 20 begins at 83.9 %, that of 10 of 20 goes from 29.9 to 70.1 %."""
+    (chart,) = noise_curve("t", [NoisyBuilds(0.02, 10, 20), NoisyBuilds(0.008, 20, 20)]).charts
+    (line,) = chart.lines
+    assert line.x == pytest.approx((0.8, 2.0))
+    assert line.y == pytest.approx((100.0, 50.0))
+    assert line.low == pytest.approx((83.9, 29.9), abs=0.05)
+    assert line.high == pytest.approx((100.0, 70.1), abs=0.05)
+    assert line.label == "builds that stand whole, of 20 each"

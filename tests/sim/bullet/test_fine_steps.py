@@ -51,10 +51,11 @@ def steps(world):
     return len(counted)
 
 
-def test_steps_are_fine_only_while_blocks_settle_or_a_lowered_arm_or_a_held_block_is_near_them(world):
+def test_steps_are_fine_only_while_blocks_settle_or_a_robot_or_what_it_holds_is_close_to_them(world):
+    """Close is 3 cm at this length of a tick; with its arm lowered the magnet reaches 0.36 m ahead, or 0.18 m."""
     world.reset(setup(Pose(0.0, 0.0), model=MECANUM_ARM))
     assert steps(world) == COARSE
-    world.add_body(block("near", 0.5))
+    world.add_body(block("near", 0.42))
     world.add_body(block("far", 2.0))
     assert steps(world) == FINE
     run(world, SETTLED)
@@ -71,7 +72,7 @@ def test_steps_are_fine_only_while_blocks_settle_or_a_lowered_arm_or_a_held_bloc
     world.attach("r0", "held")
     run(world, SETTLED)
     assert steps(world) == COARSE
-    world.add_body(block("near", 0.4))
+    world.add_body(Body("tall", (0.31, 0.0, 0.2), 0.0, (0.07, 0.07, 0.4), 1.0))
     run(world, SETTLED)
     assert steps(world) == FINE
 
@@ -128,13 +129,14 @@ def put_up_a_stack(world, levels=5):
 
 
 def test_stack_of_five_blocks_stands_where_it_was_put(world):
-    """Within 2.5 mm in the mean: until it rests, what stands creeps a little whenever a block is put on it."""
+    """What stands does not creep while more is put on it."""
     goal, _ = put_up_a_stack(world)
     run(world, 5.0)
     places = np.array([state.position for state in world.bodies().values()])
     errors = np.hypot(places[:, 0] - goal, places[:, 1])
     assert places[:, 2] == pytest.approx(0.035 + 0.07 * np.arange(5), abs=2e-3)
-    assert errors.mean() < 2.5e-3
+    assert errors.mean() < 1e-3
+    assert errors.max() < 1e-3
 
 
 def test_what_rests_stays_to_a_hair_and_falls_when_its_support_is_gone(world):

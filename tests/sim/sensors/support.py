@@ -7,7 +7,7 @@ from typing import Any, Mapping, Optional, Sequence
 
 import numpy as np
 
-from rqt_mrta_py.hooks import SensorContext, TeamMoment
+from rqt_mrta_py.hooks import RobotModel, SensorContext, TeamMoment
 from rqt_mrta_py.model import Pose, SensorSetup
 from rqt_mrta_py.sim.robot_models import DIFF_DRIVE
 from tests.sim.doubles import StillWorld
@@ -23,11 +23,12 @@ def context(
     start: Pose = START,
     rate: float = 10.0,
     robot: str = "robot1",
+    model: RobotModel = DIFF_DRIVE,
     **parameters: Any,
 ):
     """Describe one sensor of one robot."""
     generator = np.random.default_rng(7) if random is None else random
-    return SensorContext(robot, DIFF_DRIVE, SensorSetup(kind, topic, rate, parameters), start, generator)
+    return SensorContext(robot, model, SensorSetup(kind, topic, rate, parameters), start, generator)
 
 
 def moment(

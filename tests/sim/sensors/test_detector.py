@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from rqt_mrta_py.errors import SimError
-from rqt_mrta_py.hooks import Body, PlacedRobot, SensorMoment, WorldSetup
+from rqt_mrta_py.hooks import Body, BodyState, PlacedRobot, SensorMoment, WorldSetup
 from rqt_mrta_py.model import Arena, LooseBody, Obstacle, Pose
 from rqt_mrta_py.sim.planar import PlanarWorld
 from rqt_mrta_py.sim.robot_models import CARRIER
@@ -73,6 +73,52 @@ def test_robot_hides_what_is_behind_it():
     assert looks([thing("can", 2.0, 0.0)], others=[Pose(1.0, 0.0)]) == []
 
 
+def test_detector_that_looks_from_above_sees_behind_walls_obstacles_and_robots():
+    bodies = [thing("behind", 1.5, 1.5), thing("beyond", 3.0, 0.0)]
+    assert looks(bodies, others=[Pose(2.0, 0.0)]) == []
+    seen = looks(bodies, others=[Pose(2.0, 0.0)], from_above=True, max_range=4.0)
+    assert [each["id"] for each in seen] == ["behind", "beyond"]
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "yaw", "is_seen"),
+    [
+        (1.0, 0.0, 0.0, False),
+        (1.08, 0.0, 0.0, False),
+        (1.10, 0.0, 0.0, True),
+        (1.0, 0.04, 0.0, True),
+        (1.0, 0.08, math.pi / 2, False),
+        (1.0, 0.10, math.pi / 2, True),
+    ],
+)
+def test_body_on_another_hides_it_from_above_if_it_covers_its_centre(x, y, yaw, is_seen):
+    """It is 18 cm long and 7 cm wide: it covers what is within 9 cm along and 3.5 cm across of its centre."""
+    size = (0.18, 0.07, 0.07)
+    world = PlanarWorld()
+    world.reset(WorldSetup(Arena(-5.0, -5.0, 5.0, 5.0), (), (PlacedRobot("robot1", CARRIER, START),), 0.05))
+    bodies = (LooseBody("lower", Pose(1.0, 0.0), size), LooseBody("upper", Pose(x, y, yaw), size))
+    for body, height in zip(bodies, (0.035, 0.105)):
+        world.add_body(Body(body.id, (body.pose.x, body.pose.y, height), body.pose.yaw, size, body.mass))
+    sensor = context("detector", "detections", position_noise=0.0, from_above=True)
+    detector = Detector(replace(sensor, bodies=bodies))
+    (said,) = detector.sense(SensorMoment(3.5, START, None, world, {}))
+    seen = {each["id"]: each["position"]["z"] for each in said.fields["detections"]}
+    assert seen == ({"lower": 0.035, "upper": 0.105} if is_seen else {"upper": 0.105})
+
+
+def test_detector_that_looks_from_above_needs_no_rays():
+    detector = Detector(replace(context("detector", "d", from_above=True), bodies=(thing("can", 1.0, 0.0),)))
+    blind = StillWorld(lacks={"ranges"})
+    blind.bodies = lambda: {"can": BodyState((1.0, 0.0, 0.05), (0.0, 0.0, 0.0, 1.0))}
+    (said,) = detector.sense(SensorMoment(3.5, START, None, blind, {}))
+    assert [each["id"] for each in said.fields["detections"]] == ["can"]
+
+
+def test_detector_refuses_to_look_half_from_above():
+    with pytest.raises(SimError, match=r"parameter from_above: must be true or false \(got 1\)"):
+        Detector(context("detector", "d", from_above=1))
+
+
 def test_high_body_is_seen_and_hides_what_is_behind_it():
     bodies = [thing("high", 1.0, 0.0, (0.1, 0.1, 0.4)), thing("low", 1.5, 0.0)]
     assert [seen["id"] for seen in looks(bodies)] == ["high"]
@@ -134,7 +180,7 @@ def test_detector_in_a_world_that_casts_no_rays_says_so():
         ({"max_range": 0.0}, "parameter max_range: must be a number above 0 (got 0.0)"),
         ({"fov": 7.0}, "parameter fov: must be a number above 0, at most 6.28"),
         ({"position_noise": -0.1}, "parameter position_noise: must be a number at least 0 (got -0.1)"),
-        ({"sd": 0.1}, "parameter sd: unknown; accepted: fov, max_range, position_noise"),
+        ({"sd": 0.1}, "parameter sd: unknown; accepted: fov, from_above, max_range, position_noise"),
     ],
 )
 def test_detector_refuses_what_it_cannot_be(parameters, problem):

@@ -47,6 +47,27 @@ def test_localiser_noise_has_the_deviations_asked_for_and_no_memory():
     assert np.std(heading) == pytest.approx(0.02, rel=0.05)
 
 
+def test_localiser_is_evenly_off_within_what_it_is_told():
+    """Evenly within 8 mm to either side: never farther, and 8 / sqrt(3) mm in the root mean square."""
+    exact = {"position_noise": 0.0, "heading_noise": 0.0}
+    sensor = Localiser([context("localiser", "pose", uniform_noise=0.008, **exact)])
+    poses = [pose_in(locate(sensor).columns) for _ in range(4000)]
+    off = np.array([(pose.x - TRUTH.x, pose.y - TRUTH.y) for pose in poses])
+    assert np.abs(off).max(axis=0) == pytest.approx([0.008, 0.008], rel=0.01)
+    assert np.abs(off).max() <= 0.008
+    assert off.std(axis=0) == pytest.approx([0.008 / math.sqrt(3.0)] * 2, rel=0.05)
+    assert off.mean(axis=0) == pytest.approx([0.0, 0.0], abs=4e-4)
+    assert np.corrcoef(off.T)[0, 1] == pytest.approx(0.0, abs=0.06)
+    assert np.corrcoef(off[1:, 0], off[:-1, 0])[0, 1] == pytest.approx(0.0, abs=0.06)
+    assert {round(pose.yaw, 9) for pose in poses} == {TRUTH.yaw}
+
+
+def test_localiser_draws_its_normal_noise_alike_whether_it_is_evenly_off_too_or_not():
+    before = [Localiser([context("localiser", "pose", uniform_noise=noise)]) for noise in (0.0, 1e-12)]
+    first, second = (pose_in(locate(sensor).columns) for sensor in before)
+    assert (first.x, first.y, first.yaw) == pytest.approx((second.x, second.y, second.yaw), abs=1e-9)
+
+
 def test_localiser_names_a_parameter_that_is_no_number():
     with pytest.raises(SimError) as caught:
         Localiser([context("localiser", "pose", position_noise=math.nan, heading_noise=True)])

@@ -7,6 +7,7 @@ import pytest
 
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.model import Pose
+from rqt_mrta_py.sim.robot_models import DIFF_DRIVE, MECANUM_ARM, OMNI_DRIVE
 from rqt_mrta_py.sim.sensors import Odometry
 from tests.sim.doubles import ScriptedRandom
 from tests.sim.sensors.support import context, moment, pose_in
@@ -14,9 +15,9 @@ from tests.sim.sensors.support import context, moment, pose_in
 EXACT = {"distance_error": 0.0, "turn_error": 0.0, "heading_error": 0.0, "heading_walk": 0.0}
 
 
-def drive(path, random=None, **parameters):
+def drive(path, random=None, model=DIFF_DRIVE, **parameters):
     """Let odometry follow true poses, a tenth of a second apart; give its last message."""
-    sensor = Odometry([context("odometry", "odom", random=random, start=path[0], **parameters)])
+    sensor = Odometry([context("odometry", "odom", random=random, start=path[0], model=model, **parameters)])
     for index, truth in enumerate(path):
         (outgoing,) = sensor.sense(moment(1.0 + 0.1 * index, [truth]))
     return outgoing
@@ -91,6 +92,80 @@ def test_odometry_heading_walks_with_the_square_root_of_the_way():
 def test_odometry_counts_nothing_when_pushed_sideways():
     end = counted(drive([Pose(0.0, 0.1 * i, 0.0) for i in range(11)]))
     assert end == Pose(0.0, 0.0, 0.0)
+
+
+def sideways(length, steps=100):
+    return [Pose(0.0, length * i / steps, 0.0) for i in range(steps + 1)]
+
+
+MECANUM_EXACT = {
+    **EXACT,
+    **dict.fromkeys(("sideways_error", "sideways_drift", "sideways_heading_error", "drift", "turn_drift"), 0.0),
+}
+
+
+@pytest.mark.parametrize("model", [MECANUM_ARM, OMNI_DRIVE])
+def test_odometry_of_mecanum_wheels_counts_the_way_sideways(model):
+    outgoing = drive(sideways(-1.5), model=model, **MECANUM_EXACT)
+    end = counted(outgoing)
+    assert (end.x, end.y, end.yaw) == (pytest.approx(0.0), pytest.approx(-1.5), 0.0)
+    assert outgoing.columns["twist/twist/linear/x"] == pytest.approx([0.0])
+    assert outgoing.columns["twist/twist/linear/y"] == pytest.approx([-0.15])
+
+
+def test_odometry_of_mecanum_wheels_follows_any_way():
+    """From (1, 1) heading to +y, 2 m to +x and on the way half a turn: 2 m to its right, seen from its start."""
+    path = [Pose(1.0 + 2.0 * i / 400, 1.0, math.pi / 2 + math.pi * i / 400) for i in range(401)]
+    end = counted(drive(path, model=MECANUM_ARM, **MECANUM_EXACT))
+    assert (end.x, end.y) == (pytest.approx(0.0, abs=1e-3), pytest.approx(-2.0, abs=1e-3))
+    assert abs(end.yaw) == pytest.approx(math.pi)
+
+
+@pytest.mark.parametrize(
+    ("bias", "path", "error"),
+    [
+        (3, sideways(2.0), (0.0056, 0.0, 0.0)),
+        (3, sideways(-2.0), (0.0056, 0.0, 0.0)),
+        (4, [Pose(0.0, 0.0, 2 * math.pi * i / 100) for i in range(101)], (0.0, 0.0, 0.0)),
+        (5, sideways(2.0), (0.0, 0.0064, 0.0)),
+        (6, straight(2.0), (0.0, 0.0042, 0.0)),
+        (0, straight(2.0), (0.0066, 0.0, 0.0)),
+    ],
+)
+def test_odometry_of_mecanum_wheels_errs_as_table_18_says(bias, path, error):
+    """Of 2 m: 0.28 cm/m ahead and 0.32 cm/m aside driving aside; 0.33 cm/m ahead and 0.21 cm/m aside driving ahead."""
+    normals = [0.0] * 8
+    normals[bias] = 1.0
+    end, start = counted(drive(path, ScriptedRandom(normals), MECANUM_ARM)), path[0]
+    true = path[-1]
+    off = (end.x - true.x + start.x, end.y - true.y + start.y, math.remainder(end.yaw - true.yaw, 2 * math.pi))
+    assert off == pytest.approx(error, abs=1e-5)
+
+
+def test_odometry_of_mecanum_wheels_shifts_a_third_of_a_millimetre_over_a_turn():
+    """0.03 cm a turn, along the heading of the moment: over a half turn it adds up to 0.015 cm / (pi / 2) aside."""
+    half_turn = [Pose(0.0, 0.0, math.pi * i / 400) for i in range(401)]
+    end = counted(drive(half_turn, ScriptedRandom([0.0, 0.0, 0.0, 0.0, 1.0]), MECANUM_ARM))
+    assert (end.x, end.y) == (pytest.approx(0.0, abs=1e-6), pytest.approx(0.00015 * 2 / math.pi, abs=1e-6))
+
+
+def test_odometry_of_mecanum_wheels_veers_four_degrees_a_metre_sideways():
+    end = counted(drive(sideways(1.0), ScriptedRandom([0.0] * 7 + [1.0]), MECANUM_ARM))
+    assert math.degrees(end.yaw) == pytest.approx(4.0)
+
+
+def test_odometry_of_a_mixed_team_counts_sideways_what_can_drive_so():
+    contexts = [
+        context("odometry", "odom", robot=f"r{place}", model=model, **MECANUM_EXACT)
+        for place, model in enumerate((DIFF_DRIVE, MECANUM_ARM))
+    ]
+    sensor = Odometry(contexts)
+    for index in range(11):
+        (last,) = sensor.sense(moment(1.0 + 0.1 * index, [Pose(0.1 * index, 0.1 * index)] * 2))
+    assert [pose_in(last.columns, "pose/pose", row) for row in (0, 1)] == [
+        Pose(pytest.approx(1.0), pytest.approx(0.0), 0.0),
+        Pose(pytest.approx(1.0), pytest.approx(1.0), 0.0),
+    ]
 
 
 def test_odometry_of_a_robot_at_rest_stays():

@@ -6,6 +6,7 @@ import dataclasses
 from typing import Dict, List, Optional, Sequence, Tuple
 
 from rqt_mrta_py.app.compose import Host
+from rqt_mrta_py.app.making import making_of
 from rqt_mrta_py.app.selection import first_robots, in_world, with_map
 from rqt_mrta_py.config.loading import load_team
 from rqt_mrta_py.config.mission import load_mission
@@ -20,7 +21,7 @@ __all__ = ["ExperimentMissions", "settings_for"]
 _MOST_MISSIONS = 16
 """How many loaded missions are remembered; experiments that differ by their seed alone share one."""
 
-_Files = Tuple[str, Optional[str], Tuple[str, ...]]
+_Files = Tuple[str, Optional[str], Tuple[str, ...], Optional[int]]
 
 
 class ExperimentMissions:
@@ -35,7 +36,7 @@ class ExperimentMissions:
 
     def __init__(self, host: Host) -> None:
         self.host = host
-        self._loaded: Dict[_Files, Tuple[Mission, Tuple[str, ...]]] = {}
+        self._loaded: Dict[_Files, Tuple[Mission, Tuple[str, ...], Optional[int]]] = {}
 
     def prepare(self, experiment: Experiment) -> Tuple[Mission, float]:
         """Make the mission of an experiment.
@@ -46,7 +47,7 @@ class ExperimentMissions:
         Raises:
             MrtaError: something is wrong with the application's files, or the experiment does not fit them.
         """
-        whole, order = self._load(experiment)
+        whole, order, robots = self._load(experiment)
         if whole.scenario is None:
             raise UsageError("has no scenario, so there is nothing to simulate")
         scenario = whole.scenario
@@ -58,28 +59,30 @@ class ExperimentMissions:
         mission = dataclasses.replace(whole, seed=experiment.seed)
         mission = _with_tasks(mission, scenario, order, experiment.tasks)
         worlds = self.host.manager.registered("mrta_register_worlds")
-        mission = in_world(first_robots(mission, experiment.robots), experiment.world, worlds)
+        mission = in_world(first_robots(mission, robots), experiment.world, worlds)
         mission = with_map(mission, experiment.map)
         return mission, scenario.duration if experiment.duration is None else experiment.duration
 
-    def _load(self, experiment: Experiment) -> Tuple[Mission, Tuple[str, ...]]:
-        """Give the application's mission, and the ids of all its tasks in file order."""
-        key = (experiment.application, experiment.architecture, experiment.settings)
+    def _load(self, experiment: Experiment) -> Tuple[Mission, Tuple[str, ...], Optional[int]]:
+        """Give the application's mission, the ids of all its tasks in file order, and how many robots take part."""
+        key = (experiment.application, experiment.architecture, experiment.settings, experiment.robots)
         found = self._loaded.get(key)
         if found is None:
             registry = self.host.registry
-            team = load_team(registry, experiment.application, experiment.architecture).team
+            making = making_of(self.host, experiment.application, experiment.settings, experiment.robots, strict=False)
+            team = load_team(registry, experiment.application, experiment.architecture, rewrite=making.rewrite).team
             mission = load_mission(
                 registry,
                 experiment.application,
                 architecture=experiment.architecture,
-                overrides=settings_for([robot.id for robot in team.application.robots], experiment.settings),
+                overrides=settings_for([robot.id for robot in team.application.robots], making.overrides),
                 checks=self.host.manager,
                 kinds=self.host.manager.registered("mrta_register_behaviours"),
+                rewrite=making.rewrite,
             )
             while len(self._loaded) >= _MOST_MISSIONS:
                 del self._loaded[next(iter(self._loaded))]
-            found = self._loaded[key] = mission, tuple(task.id for task in team.tasks)
+            found = self._loaded[key] = mission, tuple(task.id for task in team.tasks), making.robots
         return found
 
 

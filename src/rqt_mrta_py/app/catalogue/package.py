@@ -1,4 +1,4 @@
-"""Everything that a package registers, in full, as ``mrta show`` tells it; imports no plugin."""
+"""Everything that a package registers, in full, as ``mrta show`` tells it."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from typing import Any, Dict, List, NamedTuple, Sequence, Tuple
 
 from rqt_mrta_py.app.catalogue.description import describe_application, describe_architecture
 from rqt_mrta_py.app.catalogue.entries import application_of, architecture_of
+from rqt_mrta_py.app.catalogue.mission_settings import mission_settings
 from rqt_mrta_py.app.catalogue.parameter_rows import resolved_rows, written_rows
 from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind, Registry
 from rqt_mrta_py.config.discovery.source import find_registrations
@@ -73,7 +74,9 @@ def _application(registry: Registry, registration: Registration) -> Dict[str, An
     except (ConfigError, DiscoveryError) as error:
         # An application can be looked at before it can be run.
         parameters, problems = written_rows(spec.configs, str(registration.file)), str(error).splitlines()
+    settings = mission_settings(registry, registration.package)
     description = describe_application(spec, tasks, scenario, parameters)
+    description.update(settings=settings.rows, robots_by_default=settings.robots)
     return {**description, "file": str(registration.file), "problems": list(problems)}
 
 

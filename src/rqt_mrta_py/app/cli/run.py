@@ -24,7 +24,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--architecture", metavar="A", help="how tasks are shared out (default: the application's own)")
     parser.add_argument("--seed", metavar="N", type=_seed, default=0, help="of every random generator (default: 0)")
     parser.add_argument("--duration", metavar="S", type=positive, help="mission seconds (default: the scenario's)")
-    parser.add_argument("--robots", metavar="N", type=_count, help="only the first N of the application's robots")
+    parser.add_argument(
+        "--robots",
+        metavar="N",
+        type=_count,
+        help="only the first N of the application's robots (default: all, or as many as its mission is made for)",
+    )
     parser.add_argument("--world", metavar="W", help="where to simulate (default: the scenario's)")
     parser.add_argument(
         "--map",
@@ -37,7 +42,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         dest="overrides",
         action="append",
         default=[],
-        help="set a parameter, for instance robot2/spin_rate=10; may be given several times",
+        help="set a parameter, for instance robot2/spin_rate=10, or a setting of the application, for instance "
+        "structure=tower (mrta show APPLICATION lists them); may be given several times",
     )
     parser.add_argument(
         "--processes",

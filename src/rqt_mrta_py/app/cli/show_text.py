@@ -33,6 +33,8 @@ def facts(description: Mapping[str, Any]) -> Iterator[Tuple[str, str]]:
     for key in ("kind", "name", "title", "architecture", "taxonomy", "module", "panels", "file", "folder"):
         if key in description:
             yield key, _cell(description[key])
+    if description.get("robots_by_default") is not None:
+        yield "robots by default", f"{description['robots_by_default']} of {len(description['robots'])}"
     scenario = description.get("scenario")
     if scenario is not None:
         yield (
@@ -50,6 +52,7 @@ def sections(description: Mapping[str, Any]) -> Iterator[Section]:
     found = [
         _section("topics", ("meaning", "topic", "type", "timeout", "horizon", "queue_size", "says"), description),
         _section("robots", ("id", "tasks"), description, {"tasks": _all_unless_named}),
+        _section("settings", ("name", "default", "text"), description, title="settings of the mission: --set NAME=..."),
         _section("tasks", tuple(description["tasks"][0]) if description.get("tasks") else (), description),
         *(_given(description) if "robots" in description else _asked_for(description)),
         _launches(description),

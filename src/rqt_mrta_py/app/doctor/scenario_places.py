@@ -26,6 +26,9 @@ _FORMS = (
     (re.compile(r"obstacle (?P<obstacle>\S+): "), ""),
     (re.compile(r"body (?P<body>\S+): (?=the id )"), "id"),
     (re.compile(r"body (?P<body>\S+): "), ""),
+    (re.compile(r"dispenser (?P<dispenser>\S+): (?=the id )"), "id"),
+    (re.compile(r"dispenser (?P<dispenser>\S+): (?=stock )"), "stock"),
+    (re.compile(r"dispenser (?P<dispenser>\S+): "), ""),
     (re.compile(r"event (?P<event>\S+) at (?P<time>\S+) s: (?=no radio )"), "parameters/kind"),
     (re.compile(r"event (?P<event>\S+) at (?P<time>\S+) s: (?:(?P<parameter>\w+): )?"), "parameters"),
     (re.compile(r"scenario: (?=no world )"), "world"),
@@ -67,9 +70,10 @@ def located(line: str, lines: YamlLines) -> Told:
 def _element(said: Mapping[str, str], key: str, lines: YamlLines) -> str:
     if "obstacle" in said:
         return _entry("obstacles", lines, lambda entry: normalise_id(entry["id"]) == said["obstacle"])
-    if "body" in said:
-        body = _entry("bodies", lines, lambda entry: normalise_id(entry["id"]) == said["body"])
-        return f"{body}/{key}" if key else body
+    if "body" in said or "dispenser" in said:
+        kind, holder = ("body", "bodies") if "body" in said else ("dispenser", "dispensers")
+        loose = _entry(holder, lines, lambda entry: normalise_id(entry["id"]) == said[kind])
+        return f"{loose}/{key}" if key else loose
     if "event" in said:
         event = _entry("events", lines, lambda entry: _is_event(entry, said))
         return f"{event}/{key}" if lines.has(f"{event}/{key}") else event

@@ -35,7 +35,7 @@ from rqt_mrta_py.transport import Batch, Bus
 from rqt_mrta_py.transport.ros1 import RosNode
 from rqt_mrta_py.transport.ros1.master import Master
 
-__all__ = ["LiveWay", "NodeError", "run_live_mission"]
+__all__ = ["LiveWay", "NodeError", "node_arguments", "run_live_mission"]
 
 _log = logging.getLogger("rqt_mrta_py.app")
 
@@ -135,15 +135,23 @@ def _simulation(request: RunRequest, way: LiveWay) -> Sequence[str]:
         "lock_step": str(way.lock_step).lower(),
         "rate_factor": way.factor,
     }
-    return _arguments(request, {**further, "witnesses": _SUPERVISOR}, "__ns:=/")
+    return node_arguments(request, {**further, "witnesses": _SUPERVISOR}, "__ns:=/")
 
 
 def _agent(request: RunRequest, robot: str) -> Sequence[str]:
-    return _arguments(request, {"robot": robot, "witnesses": _SUPERVISOR, "own_time": "false"}, f"__ns:=/{robot}")
+    return node_arguments(request, {"robot": robot, "witnesses": _SUPERVISOR, "own_time": "false"}, f"__ns:=/{robot}")
 
 
-def _arguments(request: RunRequest, further: Mapping[str, Any], namespace: str) -> Sequence[str]:
-    """Write private parameters as ROS takes them: texts in quotes, for YAML reads them."""
+def node_arguments(request: RunRequest, further: Mapping[str, Any], namespace: str) -> Sequence[str]:
+    """Write private parameters as ROS takes them: texts in quotes, for YAML reads them.
+
+    Args:
+        request: what the user asks for.
+        further: parameters besides, by name; those that are None are left out.
+        namespace: the argument that tells it.
+    """
+    # Parameters of robots are on the parameter server; settings of the application are all that is left.
+    settings = [each for each in request.overrides if "/" not in each.partition("=")[0]]
     given: Dict[str, Any] = {
         "application": _quoted(request.application),
         "architecture": None if request.architecture is None else _quoted(request.architecture),
@@ -151,6 +159,7 @@ def _arguments(request: RunRequest, further: Mapping[str, Any], namespace: str) 
         "robots": request.robots,
         "world": None if request.world is None else _quoted(request.world),
         "map": None if request.map is None else request.map.value,
+        "settings": f"[{', '.join(map(_quoted, settings))}]" if settings else None,
         **further,
     }
     return [namespace, *(f"_{name}:={value}" for name, value in given.items() if value is not None)]

@@ -132,6 +132,7 @@ def mission_choice(reader: StrictReader, application: str) -> MissionChoice:
         reader.whole("robots", least=1),
         reader.text("world"),
         None if knowledge is None else MapKnowledge(knowledge),
+        reader.texts("settings"),
     )
 
 

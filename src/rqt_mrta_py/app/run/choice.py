@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Mapping, Optional, Tuple
 
 from rqt_mrta_py.app.compose import Host
+from rqt_mrta_py.app.making import making_of
 from rqt_mrta_py.app.selection import first_robots, in_world, with_map
 from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.config.parameters.layers import Layer
@@ -23,10 +24,11 @@ class MissionChoice:
         application: a registered name, or the path of a package or rqt_mrta.xml.
         architecture: a registered name; None for the application's own.
         seed: of every random generator.
-        robots: how many of the application's robots; None for all.
+        robots: how many of the application's robots; None for as many as its files are made for, mostly all.
         world: where to simulate; None for the scenario's.
         map: whether robots know it from the start; None for what the scenario says of each.
-        overrides: ``path=value`` of parameters, each path beginning with a robot's id.
+        overrides: ``path=value`` of parameters, each path beginning with a robot's id; ``name=value`` of settings that
+            the application's maker of missions has.
     """
 
     application: str
@@ -54,18 +56,20 @@ def chosen_mission(
     Raises:
         MrtaError: of whatever is wrong.
     """
+    making = making_of(host, choice.application, choice.overrides, choice.robots)
     mission = load_mission(
         host.registry,
         choice.application,
         architecture=choice.architecture,
         seed=choice.seed,
-        overrides=choice.overrides,
+        overrides=making.overrides,
         served=served,
         checks=host.manager,
         kinds=host.manager.registered("mrta_register_behaviours"),
+        rewrite=making.rewrite,
     )
     worlds = host.manager.registered("mrta_register_worlds")
-    mission = with_map(in_world(first_robots(mission, choice.robots), choice.world, worlds), choice.map)
+    mission = with_map(in_world(first_robots(mission, making.robots), choice.world, worlds), choice.map)
     if mission.scenario is None:
         raise UsageError(
             f"{mission.application.package}: has no scenario, so there is nothing to simulate; "

@@ -21,10 +21,11 @@ class RunRequest:
         architecture: a registered name; None for the application's own.
         seed: of every random generator.
         duration: of the mission [s]; None for the scenario's.
-        robots: how many of the application's robots; None for all.
+        robots: how many of the application's robots; None for as many as its files are made for, mostly all.
         world: where to simulate; None for the scenario's.
         map: whether robots know it from the start; None for what the scenario says of each.
-        overrides: ``path=value`` of parameters, each path beginning with a robot's id.
+        overrides: ``path=value`` of parameters, each path beginning with a robot's id; ``name=value`` of settings that
+            the application's maker of missions has.
         out: folder for the outputs; None to choose one.
         force: write into a folder that is not empty.
         pictures: seconds of mission time between pictures, 0 for none; None for the scenario's [s].

@@ -28,7 +28,7 @@ def free_place(scenario: ScenarioSpec, taken: Sequence[Point] = ()) -> Optional[
         Its position in the frame ``map`` [m], the first by rows where several have as much room; None if there is
         no room of half a metre anywhere.
     """
-    starts = [*(robot.start for robot in scenario.robots), *(body.pose for body in scenario.bodies)]
+    starts = [*(robot.start for robot in scenario.robots), *(body.pose for body in scenario.first_bodies)]
     points = [*((start.x, start.y) for start in starts), *taken]
     best: Optional[Point] = None
     most = _CLEARANCE

@@ -14,7 +14,7 @@ from rqt_mrta_py.config.yaml.places import PLACE
 from rqt_mrta_py.config.yaml.schema import Key, Table, ValueType
 from rqt_mrta_py.model import MapKnowledge
 
-__all__ = ["ARENA", "BODY", "OBSTACLE", "ROBOT", "ROBOT_DEFAULTS", "SCENARIO_FILE", "SENSOR"]
+__all__ = ["ARENA", "BODY", "DISPENSER", "OBSTACLE", "ROBOT", "ROBOT_DEFAULTS", "SCENARIO_FILE", "SENSOR"]
 
 ARENA = Table(
     "arena",
@@ -41,17 +41,36 @@ OBSTACLE = Table(
     ),
 )
 
+_LOOSE = (
+    Key("kind", ValueType.TEXT, "What it is, as those who look for it call it.", default="thing"),
+    Key("x", ValueType.NUMBER, "Position of its centre along the x axis.", "m"),
+    Key("y", ValueType.NUMBER, "Position of its centre along the y axis.", "m"),
+    Key("yaw", ValueType.NUMBER, "Turn of its length, counter-clockwise from the x axis.", "rad", 0.0),
+    Key("size", ValueType.NUMBERS, "Length, width, height.", "m", count=3),
+    Key("mass", ValueType.NUMBER, "How heavy it is.", "kg", 0.2, above=0),
+    Key("friction", ValueType.NUMBER, "Coefficient of its friction on the floor.", "N/N", 0.5, minimum=0),
+)
+
 BODY = Table(
     "body",
-    "A loose body on the floor, which robots can push and, with a gripper, carry.",
+    "A loose body on the floor, which robots can push and, with a gripper or a magnet, carry.",
+    (Key("id", ValueType.TEXT, "Name of the body; no obstacle or robot has it."), *_LOOSE),
+)
+
+DISPENSER = Table(
+    "dispenser",
+    "A place where bodies of one kind come from: a fresh one appears when the last one has been carried off.",
     (
-        Key("id", ValueType.TEXT, "Name of the body; no obstacle or robot has it."),
-        Key("kind", ValueType.TEXT, "What it is, as those who look for it call it.", default="thing"),
-        Key("x", ValueType.NUMBER, "Position of its centre along the x axis.", "m"),
-        Key("y", ValueType.NUMBER, "Position of its centre along the y axis.", "m"),
-        Key("yaw", ValueType.NUMBER, "Turn of its length, counter-clockwise from the x axis.", "rad", 0.0),
-        Key("size", ValueType.NUMBERS, "Length, width, height.", "m", count=3),
-        Key("mass", ValueType.NUMBER, "How heavy it is.", "kg", 0.2, above=0),
+        Key("id", ValueType.TEXT, "Name of the place; its bodies are called by it, with _1, _2 and so on."),
+        *_LOOSE,
+        Key(
+            "stock",
+            ValueType.WHOLE,
+            "How many bodies there are in all; as many as are needed if not given.",
+            "",
+            None,
+            1,
+        ),
     ),
 )
 
@@ -104,6 +123,7 @@ SCENARIO_FILE = Table(
         Key("arena", ValueType.TABLE, "Floor and walls.", table=ARENA),
         Key("obstacles", ValueType.TABLES, "Fixed bodies on the floor.", default=(), table=OBSTACLE),
         Key("bodies", ValueType.TABLES, "Loose bodies on the floor.", default=(), table=BODY),
+        Key("dispensers", ValueType.TABLES, "Where further bodies come from.", default=(), table=DISPENSER),
         Key("robot_defaults", ValueType.TABLE, "What robots have in common.", default=None, table=ROBOT_DEFAULTS),
         Key("robots", ValueType.TABLES, "The robots of the application.", table=ROBOT),
         Key("radio", ValueType.TABLE, "The radio between robots; perfect if not given.", default=None, table=RADIO),

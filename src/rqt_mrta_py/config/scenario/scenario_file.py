@@ -13,6 +13,7 @@ from rqt_mrta_py.config.yaml.text import parse_yaml
 from rqt_mrta_py.model import (
     MAPPED_TOPICS,
     Arena,
+    Dispenser,
     LooseBody,
     MapKnowledge,
     Obstacle,
@@ -51,17 +52,19 @@ def read_scenario(
     robot_rows: List[Row] = root.values["robots"] or []
     obstacle_rows: List[Row] = root.values["obstacles"] or []
     body_rows: List[Row] = root.values["bodies"] or []
+    dispenser_rows: List[Row] = root.values["dispensers"] or []
     event_rows: List[Row] = root.values["events"] or []
     defaults: Optional[Row] = root.values["robot_defaults"]
     names = _check_ids(robot_rows, "robots", problems)
     _check_ids(obstacle_rows, "obstacles", problems)
     _check_ids(body_rows, "bodies", problems)
+    _check_ids(dispenser_rows, "dispensers", problems)
     if robots is not None:
         _check_team(root, robot_rows, names, robots, problems)
     _check_arena(root.values["arena"], problems)
     for row in obstacle_rows:
         _check_obstacle(row, problems)
-    for row in body_rows:
+    for row in [*body_rows, *dispenser_rows]:
         _check_size(row, problems)
     for row in [*([defaults] if defaults is not None else []), *robot_rows]:
         _check_sensors(row, problems)
@@ -82,6 +85,7 @@ def read_scenario(
         radio=_radio(root.values["radio"]),
         planner=root.values["planner"],
         bodies=tuple(_body(row) for row in body_rows),
+        dispensers=tuple(_dispenser(row) for row in dispenser_rows),
     )
 
 
@@ -175,7 +179,13 @@ def _obstacle(row: Row) -> Obstacle:
 
 
 def _body(row: Row) -> LooseBody:
-    return LooseBody(normalise_id(row.values["id"]), _pose(row), _size(row), row.values["mass"], row.values["kind"])
+    mass, kind, friction = (row.values[key] for key in ("mass", "kind", "friction"))
+    return LooseBody(normalise_id(row.values["id"]), _pose(row), _size(row), mass, kind, friction)
+
+
+def _dispenser(row: Row) -> Dispenser:
+    mass, kind, friction, stock = (row.values[key] for key in ("mass", "kind", "friction", "stock"))
+    return Dispenser(normalise_id(row.values["id"]), _pose(row), _size(row), mass, kind, friction, stock)
 
 
 def _pose(row: Row) -> Pose:

@@ -6,8 +6,8 @@
 * ``robot``: what every robot is to the world, however it drives
 * ``wheeled_robot``: builds, drives and brakes one robot on two wheels
 * ``mecanum_robot``: builds, drives and brakes one on mecanum wheels, and moves its arm
-* ``fine_steps``: when physics must go in finer steps
-* ``loose_bodies``: what robots can push and carry
+* ``fine_steps``: physics where builders are, in finer steps when it must be
+* ``loose_bodies``: what robots can push and carry; ``resting``: which of it lies still
 * ``sight``: what range finders can see, and where it is
 * ``range_rays``: level rays against boxes, balls and pillars
 * ``world``: all of it behind the Protocol ``hooks.World``

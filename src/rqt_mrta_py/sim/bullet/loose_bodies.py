@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Dict, NamedTuple, Optional, Tuple
+from typing import Collection, Dict, Mapping, NamedTuple, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ __all__ = ["LooseBodies"]
 
 _BASE = -1
 _EVERYTHING = -1
+_STILL = (0.0, 0.0, 0.0)
 
 
 class _Hold(NamedTuple):
@@ -32,22 +33,16 @@ class _Hold(NamedTuple):
 class LooseBodies:
     """The loose bodies of one physics client, by id, in the order of their adding.
 
-    Attributes:
-        stirs: how often bodies were set free to fall and settle.
-
     Args:
         engine: the client.
-        may_rest: whether what lies still for 2 s is spared, and stays to a hair where it is, until something touches
-            it; stacks creep by millimetres otherwise.
     """
 
-    def __init__(self, engine: Engine, *, may_rest: bool = False) -> None:
+    def __init__(self, engine: Engine) -> None:
         self._engine = engine
-        self._may_rest = may_rest
-        self.stirs = 0
         self._bodies: Dict[str, int] = {}
         self._half_sizes: Dict[str, Tuple[float, ...]] = {}
         self._frictions: Dict[str, float] = {}
+        self._masses: Dict[int, float] = {}
         self._holds: Dict[str, _Hold] = {}
 
     def add(self, body: Body) -> int:
@@ -70,11 +65,11 @@ class LooseBodies:
             physicsClientId=client,
         )
         self._rub(number, body.friction)
-        bullet.setCollisionFilterGroupMask(number, _BASE, LOOSE_GROUP, _EVERYTHING, physicsClientId=client)
+        self._collide_with_all(number)
         self._bodies[body.id] = number
+        self._masses[number] = body.mass
         self._frictions[body.id] = body.friction
         self._half_sizes[body.id] = half_extents
-        self._let_rest(number, rest=True)
         return number
 
     def remove(self, body_id: str) -> int:
@@ -86,14 +81,11 @@ class LooseBodies:
         Raises:
             SimError: there is no such body.
         """
-        number = self._number(body_id)
+        number = self.number(body_id)
         if body_id in self._holds:
             self.detach(body_id)
         self._engine.bullet.removeBody(number, physicsClientId=self._engine.client)
-        for other in self._bodies.values():
-            # What lay on it must fall.
-            self._let_rest(other, rest=other not in self._carried())
-        del self._bodies[body_id], self._half_sizes[body_id], self._frictions[body_id]
+        del self._bodies[body_id], self._half_sizes[body_id], self._frictions[body_id], self._masses[number]
         return number
 
     def attach(self, robot_id: str, robot: BulletRobot, body_id: str) -> None:
@@ -104,7 +96,7 @@ class LooseBodies:
         Raises:
             SimError: there is no such body, or it is attached already.
         """
-        number = self._number(body_id)
+        number = self.number(body_id)
         if body_id in self._holds:
             holder = self._holds[body_id].robot_id
             raise SimError(f"body {body_id}: attached to {holder} already; detach it before {robot_id} takes it")
@@ -128,8 +120,6 @@ class LooseBodies:
             bullet.changeConstraint(constraint, maxForce=robot.grip_force, physicsClientId=client)
         self._holds[body_id] = _Hold(robot_id, robot, constraint)
         self._collide(robot, number, enabled=False)
-        # A body that is carried slowly would fall asleep, and be left behind.
-        self._let_rest(number, rest=False)
         if not robot.lifts:
             self._rub(number, 0.0)
 
@@ -139,18 +129,40 @@ class LooseBodies:
         Raises:
             SimError: there is no such body, or nobody holds it.
         """
-        number = self._number(body_id)
+        number = self.number(body_id)
         hold = self._holds.pop(body_id, None)
         if hold is None:
             raise SimError(f"body {body_id}: not attached to any robot, so it cannot be detached")
         self._engine.bullet.removeConstraint(hold.constraint, physicsClientId=self._engine.client)
         self._collide(hold.robot, number, enabled=True)
         self._rub(number, self._frictions[body_id])
-        self._let_rest(number, rest=True)
 
-    def held_by(self, robot_id: str) -> Tuple[str, ...]:
-        """Give the ids of the bodies that are attached to a robot."""
-        return tuple([body_id for body_id, hold in self._holds.items() if hold.robot_id == robot_id])
+    def fix(self, number: int, *, fixed: bool) -> None:
+        """Make a body stand as if it had no end of mass, or let it move again, from rest."""
+        bullet, client = self._engine.bullet, self._engine.client
+        # Two that sleep are not looked at: a third of the time.
+        asleep = bullet.ACTIVATION_STATE_ENABLE_SLEEPING | bullet.ACTIVATION_STATE_SLEEP
+        awake = bullet.ACTIVATION_STATE_DISABLE_SLEEPING | bullet.ACTIVATION_STATE_WAKE_UP
+        bullet.changeDynamics(
+            number,
+            _BASE,
+            mass=0.0 if fixed else self._masses[number],
+            activationState=asleep if fixed else awake,
+            physicsClientId=client,
+        )
+        bullet.resetBaseVelocity(number, _STILL, _STILL, physicsClientId=client)
+        # PyBullet has put it among other fixed things, or those that move.
+        self._collide_with_all(number)
+
+    @property
+    def numbers(self) -> Collection[int]:
+        """PyBullet's numbers of all bodies, in the order of their adding."""
+        return self._bodies.values()
+
+    @property
+    def held(self) -> Mapping[int, int]:
+        """PyBullet's numbers of bodies that are attached, each with that of its robot."""
+        return {self._bodies[body_id]: hold.robot.body for body_id, hold in self._holds.items()}
 
     def states(self) -> Dict[str, BodyState]:
         """Give where every body is."""
@@ -169,27 +181,20 @@ class LooseBodies:
         """Give half of length, width and height of every body [m]: shape (bodies, 3)."""
         return np.array(list(self._half_sizes.values()), dtype=np.float64).reshape(-1, 3)
 
-    def _number(self, body_id: str) -> int:
+    def number(self, body_id: str) -> int:
+        """Give PyBullet's number of a body.
+
+        Raises:
+            SimError: there is no such body.
+        """
         number: Optional[int] = self._bodies.get(body_id)
         if number is None:
             raise SimError(f"body {body_id}: there is no such body; there are: {', '.join(self._bodies) or 'none'}")
         return number
 
-    def _carried(self) -> Tuple[int, ...]:
-        return tuple([self._bodies[body_id] for body_id in self._holds])
-
-    def _let_rest(self, number: int, *, rest: bool) -> None:
-        """Wake a body, and say whether it may fall asleep."""
-        if not self._may_rest:
-            return
-        self.stirs += int(rest)
-        bullet = self._engine.bullet
-        allowed = bullet.ACTIVATION_STATE_ENABLE_SLEEPING if rest else bullet.ACTIVATION_STATE_DISABLE_SLEEPING
-        bullet.changeDynamics(
-            number,
-            _BASE,
-            activationState=allowed | bullet.ACTIVATION_STATE_WAKE_UP,
-            physicsClientId=self._engine.client,
+    def _collide_with_all(self, number: int) -> None:
+        self._engine.bullet.setCollisionFilterGroupMask(
+            number, _BASE, LOOSE_GROUP, _EVERYTHING, physicsClientId=self._engine.client
         )
 
     def _rub(self, number: int, friction: float) -> None:

@@ -12,7 +12,7 @@ from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import Body, BodyState, Contact, PlacedRobot, WorldSetup
 from rqt_mrta_py.model import Twist
 from rqt_mrta_py.sim.bullet.engine import Engine
-from rqt_mrta_py.sim.bullet.fine_steps import FINE_STEP, SETTLING, is_at_work
+from rqt_mrta_py.sim.bullet.fine_steps import FineSteps
 from rqt_mrta_py.sim.bullet.loose_bodies import LooseBodies
 from rqt_mrta_py.sim.bullet.mecanum_robot import MecanumRobot
 from rqt_mrta_py.sim.bullet.range_rays import Rays
@@ -52,12 +52,8 @@ class BulletWorld:
         self._rows: Dict[str, int] = {}
         self._names: Dict[int, str] = {}
         self._loose: Optional[LooseBodies] = None
+        self._site: Optional[FineSteps] = None
         self._physics_steps = 0
-        self._fine_steps = 0
-        self._tick = 0.0
-        self._stirs = 0
-        self._settling = 0
-        self._physics_step = 0.0
         self._sight: Optional[Sight] = None
         self._sensor_heights: NDArray[np.float64] = np.empty(0)
         self._has_moved = False
@@ -86,20 +82,26 @@ class BulletWorld:
         check_ids(setup)
         check_drives(setup, "bullet", _DRIVES)
         self._physics_steps = _physics_steps(setup)
-        self._fine_steps = max(self._physics_steps, math.ceil(setup.tick / FINE_STEP - _EXACT))
-        self._tick = setup.tick
-        self._stirs = self._settling = 0
         if self._engine is None:
             self._engine = Engine()
-        self._physics_step = setup.tick / self._physics_steps
-        self._engine.reset(self._physics_step)
+        self._engine.reset(setup.tick / self._physics_steps)
         self._names = build_surroundings(self._engine, setup.arena, setup.obstacles)
         self._robots = {robot.id: _built(self._engine, robot) for robot in setup.robots}
         self._builders = {name: robot for name, robot in self._robots.items() if isinstance(robot, MecanumRobot)}
         self._rows = {robot_id: row for row, robot_id in enumerate(self._robots)}
         self._sensor_heights = np.array([robot.model.sensor_height for robot in setup.robots], dtype=np.float64)
         self._names.update({robot.body: robot_id for robot_id, robot in self._robots.items()})
-        self._loose = LooseBodies(self._engine, may_rest=bool(self._builders))
+        self._loose = LooseBodies(self._engine)
+        self._site = None
+        if self._builders:
+            self._site = FineSteps(
+                self._engine,
+                self._robots,
+                self._loose,
+                tick=setup.tick,
+                steps=self._physics_steps,
+                fastest=max(robot.model.max_speed for robot in setup.robots),
+            )
         self._sight = Sight(setup.arena, setup.obstacles, [robot.shape for robot in self._robots.values()])
         self._has_moved = True
 
@@ -111,7 +113,9 @@ class BulletWorld:
         """
         if body.id in self._names.values():
             raise SimError(f"body {body.id}: the id is taken by a wall, an obstacle, a robot or another body")
-        self._names[self._bodies.add(body)] = body.id
+        number = self._bodies.add(body)
+        self._names[number] = body.id
+        self._stir(number)
 
     def remove_body(self, body_id: str) -> None:
         """Take a loose body out of the world, off its carrier if it has one.
@@ -119,6 +123,7 @@ class BulletWorld:
         Raises:
             SimError: there is no such body.
         """
+        self._stir(self._bodies.number(body_id))
         del self._names[self._bodies.remove(body_id)]
 
     def attach(self, robot: str, body_id: str) -> None:
@@ -127,7 +132,9 @@ class BulletWorld:
         Raises:
             SimError: no such robot or body, or the body is attached already.
         """
-        self._bodies.attach(robot, self._robot(robot), body_id)
+        holder = self._robot(robot)
+        self._stir(self._bodies.number(body_id))
+        self._bodies.attach(robot, holder, body_id)
 
     def detach(self, body_id: str) -> None:
         """Let go of an attached body.
@@ -136,6 +143,7 @@ class BulletWorld:
             SimError: no such body, or nobody holds it.
         """
         self._bodies.detach(body_id)
+        self._stir(self._bodies.number(body_id))
 
     def freeze(self, robot: str, frozen: bool) -> None:
         """Make a robot stand still, braked, whatever it is commanded; or let it move again, by its newest command.
@@ -167,12 +175,11 @@ class BulletWorld:
     def step(self) -> None:
         """Let one tick pass."""
         engine = self._running
-        builders = self._builders.values()
-        steps = self._choose_steps() if builders else self._physics_steps
-        for _ in range(steps):
-            for robot in builders:
-                robot.prepare(self._physics_step)
-            engine.bullet.stepSimulation(physicsClientId=engine.client)
+        if self._site is None:
+            for _ in range(self._physics_steps):
+                engine.bullet.stepSimulation(physicsClientId=engine.client)
+        else:
+            self._site.step()
         self._has_moved = True
 
     def poses(self) -> NDArray[np.float64]:
@@ -191,9 +198,14 @@ class BulletWorld:
     def contacts(self) -> Tuple[Contact, ...]:
         """List what touches what after the last step: each pair once, sorted; a carrier and its body do not count."""
         engine = self._running
+        touching: Set[Tuple[int, int]] = {
+            point[1:3] for point in engine.bullet.getContactPoints(physicsClientId=engine.client)
+        }
+        if self._site is not None:
+            touching |= self._site.contacts
         pairs: Set[Contact] = set()
-        for point in engine.bullet.getContactPoints(physicsClientId=engine.client):
-            first, second = self._names.get(point[1]), self._names.get(point[2])
+        for numbers in touching:
+            first, second = (self._names.get(number) for number in numbers)
             if first is not None and second is not None and first != second:
                 pairs.add(Contact(min(first, second), max(first, second)))
         return tuple(sorted(pairs))
@@ -235,19 +247,9 @@ class BulletWorld:
         if engine is not None:
             engine.close()
 
-    def _choose_steps(self) -> int:
-        """Set how long physics steps are in this tick; give how many."""
-        loose = self._bodies
-        if loose.stirs != self._stirs:
-            self._stirs = loose.stirs
-            self._settling = math.ceil(SETTLING / self._tick)
-        is_fine = self._settling > 0 or is_at_work(self._builders, loose)
-        self._settling = max(0, self._settling - 1)
-        steps = self._fine_steps if is_fine else self._physics_steps
-        if self._tick / steps != self._physics_step:
-            self._physics_step = self._tick / steps
-            self._running.set_step(self._physics_step)
-        return steps
+    def _stir(self, number: int) -> None:
+        if self._site is not None:
+            self._site.stir(number)
 
     @property
     def _running(self) -> Engine:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Callable, Collection, Iterator, List, Mapping, Sequence
+from typing import TYPE_CHECKING, Callable, Collection, Iterator, List, Mapping, Optional, Sequence
 
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import RobotModel, SensorContext, SensorFactory, TeamMoment, TeamSensorFactory, World
-from rqt_mrta_py.model import ScenarioSpec
+from rqt_mrta_py.model import LooseBody, ScenarioSpec
 from rqt_mrta_py.sim.sensing.alike import Alike, alike_sensors
 from rqt_mrta_py.sim.sensing.mount import Carrier, Mount, Said, mount_alone, mount_together
 from rqt_mrta_py.sim.sensing.rays import cast_together
@@ -34,6 +34,7 @@ class Sensing:
         sensors: factories of sensors of one robot, by kind; where both are known, these are taken.
         team_sensors: factories of sensors of many robots, by kind.
         generators: one for each robot, by its id.
+        bodies: loose ones, all that there ever were so far; None: those that there are at the start.
 
     Raises:
         SimError: sensors are set up wrongly; one line for each problem.
@@ -46,15 +47,18 @@ class Sensing:
         sensors: Mapping[str, SensorFactory],
         team_sensors: Mapping[str, TeamSensorFactory],
         generators: Mapping[str, np.random.Generator],
+        *,
+        bodies: Optional[Collection[LooseBody]] = None,
     ) -> None:
         from rqt_mrta_py.sim.sensing.transforms import Transforms
 
         self.mounts: List[Mount] = []
         self.transforms: Transforms = Transforms([robot.id for robot in scenario.robots])
         self._world_name = scenario.world
+        known = scenario.first_bodies if bodies is None else bodies
         problems: List[str] = []
         for group in alike_sensors(scenario.robots):
-            carriers = [_carrier(scenario, place, group, models, generators) for place in group.robots]
+            carriers = [_carrier(scenario, place, group, models, generators, bodies=known) for place in group.robots]
             for mounting in _mountings(carriers, sensors, team_sensors, scenario.control_rate):
                 try:
                     self.mounts.append(mounting())
@@ -116,10 +120,12 @@ def _carrier(
     group: Alike,
     models: Mapping[str, RobotModel],
     generators: Mapping[str, np.random.Generator],
+    *,
+    bodies: Collection[LooseBody],
 ) -> Carrier:
     robot = scenario.robots[place]
     model, random = models[robot.model], generators[robot.id]
-    return Carrier(place, SensorContext(robot.id, model, group.setup, robot.start, random, scenario.bodies))
+    return Carrier(place, SensorContext(robot.id, model, group.setup, robot.start, random, bodies))
 
 
 def _mountings(

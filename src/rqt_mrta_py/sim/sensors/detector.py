@@ -8,12 +8,16 @@ from typing import Dict, List, Mapping, Sequence, Tuple
 import numpy as np
 
 from rqt_mrta_py.errors import SimError
-from rqt_mrta_py.hooks import Outgoing, SensorContext, SensorMoment
+from rqt_mrta_py.hooks import BodyState, Outgoing, SensorContext, SensorMoment
 from rqt_mrta_py.model import LooseBody, Pose
+from rqt_mrta_py.sim.body_footprints import footprint_of
 from rqt_mrta_py.sim.sensing.mount import where_it_is
 from rqt_mrta_py.sim.sensors.settings import SensorSettings
 
 __all__ = ["Detector"]
+
+_SAME_HEIGHT = 0.005
+"""Bodies whose centres are no farther above one another lie side by side [m]."""
 
 
 class Detector:
@@ -22,10 +26,13 @@ class Detector:
     In view is a body whose centre is near enough and in the field of view, unless something hides it in the plane of
     the robot's range finder: a wall, an obstacle, a robot, a higher body. What the robot holds itself is left out.
 
+    Seen from above, as by a camera over the site, only a body hides another: a higher one, if it covers its centre.
+
     Parameters in a scenario:
         max_range: how far it sees, above 0; 3 [m].
         fov: whole width of the field of view, above 0; 3.14159 [rad].
         position_noise: standard deviation in x and in y, at least 0; 0.02 [m].
+        from_above: whether it looks from above; false.
     """
 
     def __init__(self, context: SensorContext) -> None:
@@ -33,9 +40,10 @@ class Detector:
         self._max_range = settings.number("max_range", 3.0, above=True)
         self._fov = settings.number("fov", math.pi, most=2.0 * math.pi + 1e-4, above=True)
         self._noise = settings.number("position_noise", 0.02)
+        self._from_above = settings.switch("from_above", False)
         settings.finish()
         self._context = context
-        self._bodies = sorted(context.bodies, key=lambda body: body.id)
+        self._bodies: Sequence[LooseBody] = ()
 
     @property
     def rays(self) -> None:
@@ -45,8 +53,10 @@ class Detector:
         """Look once.
 
         Raises:
-            SimError: the world casts no rays.
+            SimError: the world casts no rays, and it does not look from above.
         """
+        if len(self._bodies) != len(self._context.bodies):
+            self._bodies = sorted(self._context.bodies, key=lambda body: body.id)
         # The same number of draws whatever is seen.
         drawn = self._noise * self._context.random.standard_normal((len(self._bodies), 2))
         detections = []
@@ -71,12 +81,21 @@ class Detector:
             distance, bearing = truth.distance(place), truth.bearing(place)
             if distance <= self._max_range and abs(bearing) <= self._fov / 2:
                 near[number] = (distance, bearing, state.position[2])
-        hidden = self._hidden(moment, [(self._bodies[number], *near[number][:2]) for number in near])
+        if self._from_above:
+            hidden = self._covered([states[self._bodies[number].id] for number in near], states)
+        else:
+            hidden = self._hidden(moment, [(self._bodies[number], *near[number][:2]) for number in near])
         return {
             number: (distance * math.cos(bearing), distance * math.sin(bearing), height)
             for (number, (distance, bearing, height)), is_hidden in zip(near.items(), hidden)
             if not is_hidden
         }
+
+    def _covered(self, near: Sequence[BodyState], states: Mapping[str, BodyState]) -> List[bool]:
+        """Tell of bodies whether a higher one covers their centres."""
+        sizes = {body.id: body.size for body in self._bodies}
+        known = [(state, sizes[name]) for name, state in states.items() if name in sizes]
+        return [any(_covers(other, size, state) for other, size in known) for state in near]
 
     def _hidden(self, moment: SensorMoment, near: Sequence[Tuple[LooseBody, float, float]]) -> List[bool]:
         """Tell of bodies, at distances [m] and bearings [rad], which something before them hides."""
@@ -91,3 +110,13 @@ class Detector:
             way < distance - math.hypot(body.size[0], body.size[1]) / 2
             for way, (body, distance, _) in zip(free.tolist(), near)
         ]
+
+
+def _covers(upper: BodyState, size: Tuple[float, float, float], lower: BodyState) -> bool:
+    """Tell whether the higher one of two bodies covers the centre of the other."""
+    dx, dy, dz = (above - below for above, below in zip(upper.position, lower.position))
+    if dz <= _SAME_HEIGHT or math.hypot(dx, dy) > math.hypot(*size):
+        return False
+    place, (length, width) = footprint_of(upper, size)
+    cos, sin = math.cos(place.yaw), math.sin(place.yaw)
+    return abs(cos * dx + sin * dy) <= length / 2 and abs(cos * dy - sin * dx) <= width / 2

@@ -18,20 +18,26 @@ __all__ = ["Localiser"]
 class Localiser:
     """Publishes geometry_msgs/PoseStamped in the frame ``map``: the true pose with white noise.
 
-    Parameters in a scenario, both at least 0:
+    Each measurement is off by noise of its own: normal, and evenly distributed if that is asked for, both added up.
+
+    Parameters in a scenario, all at least 0:
         position_noise: standard deviation in x and in y; 0.01 [m].
         heading_noise: standard deviation of the heading; 0.01 [rad].
+        uniform_noise: x and y are each off by a number evenly distributed within so much to either side; 0 [m].
     """
 
     def __init__(self, contexts: Sequence[SensorContext]) -> None:
         settings = SensorSettings(contexts)
         position_noise = settings.number("position_noise", 0.01)
         heading_noise = settings.number("heading_noise", 0.01)
+        self._uniform_noise = settings.number("uniform_noise", 0.0)
         settings.finish()
         self._noise = np.array([position_noise, position_noise, heading_noise])
         self._topic = contexts[0].setup.topic
         self._robots = tuple([context.robot_id for context in contexts])
         self._normal = Ahead([context.random.standard_normal for context in contexts], 3)
+        # Drawn only where it is asked for: other localisers' numbers stay the same.
+        self._even = Ahead([context.random.random for context in contexts], 2) if self._uniform_noise > 0.0 else None
 
     @property
     def rays(self) -> None:
@@ -42,6 +48,9 @@ class Localiser:
         drawn = self._normal.take(moment.members)
         with np.errstate(over="ignore"):
             x, y, heading = (moment.truth + self._noise * drawn).T
+            if self._even is not None:
+                off = self._uniform_noise * (2.0 * self._even.take(moment.members) - 1.0)
+                x, y = x + off[:, 0], y + off[:, 1]
         yaw = wrap_angles(heading)
         columns = {
             "header/stamp": moment.now,

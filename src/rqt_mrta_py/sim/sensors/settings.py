@@ -55,6 +55,14 @@ class SensorSettings:
             return value
         return int(self._refuse(name, value, f"must be a whole number from {least} to {most}", default))
 
+    def switch(self, name: str, default: bool) -> bool:
+        """Read true or false; default and refusal as of ``number``."""
+        value = self._ask(name, default)
+        if isinstance(value, bool):
+            return value
+        self.refuse(name, value, "must be true or false")
+        return default
+
     def refuse(self, name: str, value: object, accepted: str) -> None:
         """Note that a value does not go with the others; ``finish`` then raises.
 

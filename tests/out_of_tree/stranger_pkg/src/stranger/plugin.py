@@ -14,6 +14,10 @@ from rqt_mrta_py.hooks import (
     Chart,
     Figure,
     Line,
+    MadeMission,
+    MissionMaker,
+    MissionRequest,
+    MissionSetting,
     ParameterProblem,
     Verb,
     hookimpl,
@@ -135,6 +139,15 @@ def mrta_register_message_observers() -> Mapping[str, Any]:
 @hookimpl
 def mrta_register_assembly_planners() -> Mapping[str, Any]:
     return {"crumbs": AssemblyPlanner("one crumb for each cell", ground.crumbs, {"worms": 0})}
+
+
+@hookimpl
+def mrta_register_mission_makers() -> Mapping[str, Any]:
+    def more(request: MissionRequest) -> MadeMission:
+        tasks = [f"  - {{id: heap{each}, kind: digging}}\n" for each in range(int(request.settings["heaps"]))]
+        return MadeMission(request.tasks_yaml + "".join(tasks), request.scenario_yaml)
+
+    return {"stranger": MissionMaker((MissionSetting("heaps", "how many more", "0"),), more)}
 
 
 @hookimpl

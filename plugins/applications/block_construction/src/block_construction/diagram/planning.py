@@ -20,14 +20,14 @@ class PlannedDiagram(NamedTuple):
         diagram: checked.
         proved: whether none costs less.
         costs: of what was tried, in order.
-        convergence: of the automata; None where there are none.
-        seconds: of wall time it took [s].
+        convergence: of the automata, as many; empty where there are none.
+        seconds: of wall time that planning took, without what is done once in a process [s].
     """
 
     diagram: AssemblyDiagram
     proved: bool
     costs: Tuple[int, ...]
-    convergence: Optional[float]
+    convergence: Tuple[float, ...]
     seconds: float
 
 
@@ -52,13 +52,16 @@ def plan_diagram(
 
     Raises:
         ConstructionError: the planner's answer covers the structure wrongly.
+        MissingDependencyError: the planner needs what is not installed.
     """
     complete = {**planner.defaults, **(settings or {})}
+    request = AssemblyRequest(structure, lengths, seed, complete, on_progress)
+    planner.prepare(request)
     began = time.perf_counter()
-    outcome = planner.plan(AssemblyRequest(structure, lengths, seed, complete, on_progress))
+    outcome = planner.plan(request)
     seconds = time.perf_counter() - began
     diagram = assembly_diagram(structure, lengths, outcome.placements)
-    return PlannedDiagram(diagram, outcome.proved, tuple(outcome.costs), outcome.convergence, seconds)
+    return PlannedDiagram(diagram, outcome.proved, tuple(outcome.costs), tuple(outcome.convergence), seconds)
 
 
 def read_settings(defaults: Mapping[str, Any], given: Sequence[str]) -> Dict[str, Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import List
 
-from block_construction.exact.programme import layer_programmes, solve
+from block_construction.exact.programme import layer_programmes, load_solver, solve
 from rqt_mrta_py.hooks import AssemblyOutcome, AssemblyPlanner, AssemblyRequest, BlockPlacement
 
 __all__ = ["EXACT"]
@@ -26,5 +26,6 @@ EXACT = AssemblyPlanner(
     help="the proved optimum, by integer programming (OR-tools)",
     plan=_plan,
     defaults={"layer_seconds": 0.0},
+    prepare=lambda _: load_solver(),
 )
 """Its setting: how long it may search in each concentric layer [s]; 0: until it is proved."""

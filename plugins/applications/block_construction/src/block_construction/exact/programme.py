@@ -21,7 +21,7 @@ from block_construction.errors import ConstructionError
 from block_construction.structure.layers import layer_of
 from rqt_mrta_py.hooks import BlockPlacement, MissingDependencyError, Structure, Voxel
 
-__all__ = ["LayerOptimum", "Programme", "layer_programmes", "solve"]
+__all__ = ["LayerOptimum", "Programme", "layer_programmes", "load_solver", "solve"]
 
 _ENDS = (2, 3, 5, 6)
 _SINGLE = 4
@@ -65,6 +65,21 @@ def layer_programmes(structure: Structure, lengths: Sequence[int]) -> Tuple[Prog
     return tuple(Programme(layer, tuple(placements[layer]), tuple(cells[layer])) for layer in sorted(cells))
 
 
+def load_solver() -> Any:
+    """Import the solver, which takes a second the first time.
+
+    Raises:
+        MissingDependencyError: OR-tools is not installed.
+    """
+    try:
+        from ortools.sat.python import cp_model
+    except ImportError as error:
+        raise MissingDependencyError(
+            "OR-tools is not installed; install ortools, or choose another method than exact"
+        ) from error
+    return cp_model
+
+
 def solve(programme: Programme, *, seed: int, time_limit: float) -> LayerOptimum:
     """Find the placements of a layer that cost least.
 
@@ -77,12 +92,7 @@ def solve(programme: Programme, *, seed: int, time_limit: float) -> LayerOptimum
         MissingDependencyError: OR-tools is not installed.
         ConstructionError: the time ran out before anything was found.
     """
-    try:
-        from ortools.sat.python import cp_model
-    except ImportError as error:
-        raise MissingDependencyError(
-            "OR-tools is not installed; install ortools, or choose another method than exact"
-        ) from error
+    cp_model = load_solver()
     model = cp_model.CpModel()
     chosen = [model.new_bool_var("") for _ in programme.placements]
     covering: Dict[Voxel, List[Any]] = {cell: [] for cell in programme.cells}

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Dict, Iterable, NamedTuple, Optional, Tuple
+from typing import Dict, Iterable, Iterator, NamedTuple, Optional, Tuple
 
 from block_construction.diagram.block_set import PITCH
 from block_construction.diagram.diagram import PlacedBlock
 from block_construction.execution.approach import Side
 from block_construction.execution.arena import Arena
 
-__all__ = ["Top", "Tops", "neighbour", "obstacle", "put"]
+__all__ = ["Top", "Tops", "corridor_cells", "neighbour", "obstacle", "put"]
 
 Tops = Dict[Tuple[int, int], "Top"]
 """What is placed, by column and row."""
@@ -43,12 +43,23 @@ def obstacle(block: PlacedBlock, side: Side, tops: Tops, arena: Arena) -> Option
     Returns:
         Number of the nearest such block; None if there is none.
     """
-    return _first(block, side, tops, range(1, int(arena.stand_off / PITCH) + 1))
+    return _first(block, side, tops, _distances(arena))
+
+
+def corridor_cells(block: PlacedBlock, side: Side, arena: Arena) -> Iterator[Tuple[int, int]]:
+    """List columns and rows that a block is brought along, from the slot out; some lie outside of the structure."""
+    for distance in _distances(arena):
+        for cell in block.placement.cells():
+            yield cell.x + side.x * distance, cell.y + side.y * distance
 
 
 def neighbour(block: PlacedBlock, side: Side, tops: Tops) -> Optional[int]:
     """Find a block as high as the slot of another, right beside it on one side; None if there is none."""
     return _first(block, side, tops, (1,))
+
+
+def _distances(arena: Arena) -> Iterable[int]:
+    return range(1, int(arena.stand_off / PITCH) + 1)
 
 
 def _first(block: PlacedBlock, side: Side, tops: Tops, distances: Iterable[int]) -> Optional[int]:

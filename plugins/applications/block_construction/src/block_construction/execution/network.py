@@ -236,7 +236,8 @@ def _learn(  # noqa: PLR0917 - what all automata share, then what this run was
 ) -> None:
     """Let the automata that acted learn; those with one action have nothing to learn."""
     acted = [choice for choice in choices if len(choice.automaton.actions) > 1]
-    spread = math.sqrt(learning.rate) * learning.noise
+    # Differs from the paper: printed is the root of the rate, with which its tables of diagrams do not come out.
+    spread = learning.rate * learning.noise
     noise = iter((spread * random.standard_normal(sum(len(each.automaton.actions) for each in acted))).tolist())
     for automaton, chosen in acted:
         automaton.remembered.append(length)

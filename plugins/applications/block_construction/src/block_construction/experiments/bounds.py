@@ -12,7 +12,7 @@ from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Laboratory
 __all__ = ["measure_parameters"]
 
 _RUNS, _ITERATIONS, _RATE = 10, 10_000, 0.1
-_SCALES = {"root": "sqrt(l1) s", "rate": "l1 s"}
+_SCALES = {"rate": "l1 s", "root": "sqrt(l1) s"}
 
 
 def measure_parameters(options: Options, laboratory: Laboratory) -> BenchmarkReport:
@@ -38,7 +38,7 @@ def measure_parameters(options: Options, laboratory: Laboratory) -> BenchmarkRep
         ),
         (
             "Rows of the same seeds are equal as long as no parameter comes to L, as the first four of the source are: "
-            "so they are with noise l1 s, not with sqrt(l1) s, which is what it prints.",
+            "so they are with noise l1 s, the default, not with sqrt(l1) s, which is what it prints.",
             "Cost: mean of the best diagrams' costs; the source does not give it.",
             MEANS,
             SHARES,

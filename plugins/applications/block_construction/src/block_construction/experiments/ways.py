@@ -1,4 +1,4 @@
-"""Ways of training that differ from the source's, and how samples of them are shown."""
+"""Ways of training, the source's and those that differ, and how samples of them are shown."""
 
 from __future__ import annotations
 
@@ -7,25 +7,28 @@ from typing import Any, Dict, Mapping, Tuple
 from team_measures.statistics.tables import estimate_text
 
 from block_construction.experiments.trainings import Sample
+from block_construction.learning.settings import FALA_TUNED, PLA_TUNED
 
-__all__ = ["LOCAL", "REOPENED", "SAMPLE_COLUMNS", "WAYS", "WAY_NOTES", "sample_row"]
+__all__ = ["LITERAL", "LOCAL", "SAMPLE_COLUMNS", "TUNED", "WAYS", "WAY_NOTES", "sample_row"]
 
-LOCAL, REOPENED = "local credit", "local credit, begun anew"
+LITERAL, LOCAL, TUNED = "literal", "local", "tuned"
 WAYS: Mapping[str, Mapping[str, Dict[str, Any]]] = {
+    LITERAL: {"FALA": {"rate": 0.06}, "PLA": {"rate": 0.2}},
     LOCAL: {
-        "FALA": {"rate": 0.01, "credit": "local", "converged": 0.995},
-        "PLA": {"rate": 0.05, "credit": "local", "converged": 0.995},
+        "FALA": {"rate": 0.01, "credit": "local", "converged": 0.995, "reopen": "no"},
+        "PLA": {"rate": 0.05, "credit": "local", "converged": 0.995, "reopen": "no"},
     },
-    REOPENED: {
-        "FALA": {"rate": 0.03, "credit": "local", "converged": 0.98, "reopen": "yes"},
-        "PLA": {"rate": 0.1, "credit": "local", "converged": 0.96, "reopen": "yes", "leg": 1500},
+    TUNED: {
+        method: {name: tuned[name] for name in ("rate", "credit", "converged", "leg")}
+        for method, tuned in (("FALA", FALA_TUNED), ("PLA", PLA_TUNED))
     },
 }
-"""Settings by way and method."""
+"""Settings by way and method; iterations are the measurement's."""
 WAY_NOTES = (
-    "Local credit: each automaton is told the cost of its own block. Begun anew: whenever training has come to rest, "
-    "levels beside a row of faults forget what they learned, and what they come to is taken unless it costs more; "
-    "training ends at a cost that no diagram is below.",
+    "Literal: the source's method with its safe rates. Local: each automaton is told the cost of its own block.",
+    "Tuned, as the planners fala-tuned and pla-tuned: local credit, and whenever training has come to rest, levels "
+    "beside a row of faults forget what they learned, and what they come to is taken unless it costs more; training "
+    "ends at a cost that no diagram is below.",
 )
 """What tables say of them."""
 SAMPLE_COLUMNS = ("cost", "least", "hits", "iterations")

@@ -8,15 +8,15 @@ import numpy as np
 
 from block_construction.errors import ConstructionError
 from block_construction.learning.compiled import training_loop
-from block_construction.learning.network import Network, placements_of
+from block_construction.learning.network import Network, network_of, placements_of
 from block_construction.learning.reopening import Standing, least_blocks, reopen, settle
 from block_construction.learning.state import BEGUN, LEAST, RUN, UNKNOWN, Rules, initial_state
-from rqt_mrta_py.hooks import BlockPlacement
+from rqt_mrta_py.hooks import BlockPlacement, Structure
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Course", "Training", "learn"]
+__all__ = ["Course", "Training", "learn", "prepare"]
 
 _STEPS = 100
 """How often progress is told."""
@@ -52,6 +52,17 @@ class Training(NamedTuple):
     bound: int
     costs: NDArray[np.int32]
     convergence: NDArray[np.float64]
+
+
+def prepare(rules: Rules, *, compiled: bool) -> None:
+    """Make the loop of training ready, which takes seconds where numba compiles it the first time; nothing is learned.
+
+    Args:
+        rules: of any training.
+        compiled: whether by numba.
+    """
+    network = network_of(Structure("cell", ((1,),)), (1,))
+    training_loop(compiled)(network, rules, initial_state(network, 1, 1), np.random.default_rng(0), 0)
 
 
 def learn(

@@ -76,7 +76,7 @@ def parameter_change(b: float, gradient: float, force: float, noise: float, l1: 
         b: reward.
         gradient: as ``log_gradient`` gives it.
         force: as ``restoring_force`` gives it.
-        noise: sqrt(l1) s_i.
+        noise: l1 s_i, or as printed sqrt(l1) s_i.
         l1: rate.
 
     Dantas (2017), equation 2.6, and with the gradient of 2.8 equations 2.9 and 2.10.

@@ -1,16 +1,24 @@
-"""The planners ``fala`` and ``pla``."""
+"""The planners that learn: ``fala`` and ``pla`` as the source has them, and both tuned."""
 
 from __future__ import annotations
+
+from typing import Mapping
 
 import numpy as np
 
 from block_construction.errors import ConstructionError
-from block_construction.learning.learner import learn
+from block_construction.learning.learner import learn, prepare
 from block_construction.learning.network import network_of
-from block_construction.learning.settings import FALA_DEFAULTS, PLA_DEFAULTS, learning_settings
+from block_construction.learning.settings import (
+    FALA_DEFAULTS,
+    FALA_TUNED,
+    PLA_DEFAULTS,
+    PLA_TUNED,
+    learning_settings,
+)
 from rqt_mrta_py.hooks import AssemblyOutcome, AssemblyPlanner, AssemblyRequest
 
-__all__ = ["FALA", "PLA"]
+__all__ = ["LEARNERS"]
 
 _MOST_REMEMBERED = 50_000_000
 
@@ -31,9 +39,22 @@ def _plan(request: AssemblyRequest) -> AssemblyOutcome:
         compiled=compiled,
         on_progress=request.on_progress,
     )
-    costs = tuple(found.costs.tolist())
-    return AssemblyOutcome(found.placements, found.cost == found.bound, costs, float(found.convergence[-1]))
+    costs, convergence = tuple(found.costs.tolist()), tuple(found.convergence.tolist())
+    return AssemblyOutcome(found.placements, found.cost == found.bound, costs, convergence)
 
 
-FALA = AssemblyPlanner("finite action-set learning automata, one for each cell", _plan, FALA_DEFAULTS)
-PLA = AssemblyPlanner("parameterised learning automata, one for each cell", _plan, PLA_DEFAULTS)
+def _prepare(request: AssemblyRequest) -> None:
+    rules, _, compiled = learning_settings(request.settings)
+    prepare(rules, compiled=compiled)
+
+
+_FALA, _PLA = (f"{kind} learning automata, one for each cell" for kind in ("finite action-set", "parameterised"))
+_TUNED = "; local credit, begun anew beside faults, until the least cost"
+
+LEARNERS: Mapping[str, AssemblyPlanner] = {
+    "fala": AssemblyPlanner(_FALA, _plan, FALA_DEFAULTS, _prepare),
+    "fala-tuned": AssemblyPlanner(_FALA + _TUNED, _plan, FALA_TUNED, _prepare),
+    "pla": AssemblyPlanner(_PLA, _plan, PLA_DEFAULTS, _prepare),
+    "pla-tuned": AssemblyPlanner(_PLA + _TUNED, _plan, PLA_TUNED, _prepare),
+}
+"""By the name that ``--method`` uses; those that are tuned differ in their defaults only."""

@@ -29,7 +29,7 @@ class Rules(NamedTuple):
         rate: l1.
         penalty_rate: l2 of FALA.
         stiffness, bound, power: K, L and n of PLA.
-        noise: standard deviation of what strays into PLA's parameters: sqrt(l1) times that of s.
+        noise: standard deviation of what strays into PLA's parameters: that of s, times l1 or sqrt(l1).
         enough_hits: w; 101: never.
         converged: training ends when the mean of the selected automata's greatest probabilities is so high; above 1:
             never.

@@ -35,7 +35,11 @@ def _lengths(text: str) -> Tuple[int, ...]:
 
 def _add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("structure", metavar="FILE", help="a .vox, .npy or .txt file, or a structure of the package")
-    parser.add_argument("--method", default="exact", help="fala, pla, exact or any other planner (default: exact)")
+    parser.add_argument(
+        "--method",
+        default="exact",
+        help="exact, fala, pla, fala-tuned, pla-tuned or any other planner (default: exact)",
+    )
     parser.add_argument("--blocks", metavar="UNITS", default=",".join(map(str, DEFAULT_LENGTHS)), help="default: 1,2,3")
     parser.add_argument("--seed", type=int, default=0, help="of all chance (default: 0)")
     parser.add_argument(
@@ -67,7 +71,7 @@ def _main(options: Namespace, tools: VerbTools) -> int:
         folder.draw(isometric_drawing(planned.diagram))
         if planned.costs:
             title = f"{structure.name}: least cost {planned.diagram.cost} by {options.method}, seed {options.seed}"
-            folder.draw(tried_figure("cost", title, planned.costs, "cost: blocks and faults"))
+            folder.draw(tried_figure("cost", title, planned.costs, "cost: blocks and faults", planned.convergence))
     sys.stdout.write((json.dumps(document, indent=2) if options.json else _text(planned)) + "\n")
     return 0
 

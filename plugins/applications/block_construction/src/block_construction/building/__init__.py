@@ -1,0 +1,10 @@
+"""Building: how one robot fetches blocks and puts them into their slots (Dantas 2017, chapters 3 and 6).
+
+* ``slot``: what a task says of its block
+* ``pose_filter``: where the robot is; ``eyes``: what it sees; ``site_map``: what it makes of that
+* ``gripping``: where a block is at the magnet
+* ``follower``: velocities along a way; ``routes``, ``journey``: from one place to the next
+* ``actions``: the five of them; ``procedures``: the two, as tables of actions; ``performer`` carries them out
+* ``errand``: one task from setting out to standing off; ``place_block``: the behaviour
+* ``state``: what a builder tells; ``seams``: what it asks about others and about ways
+"""

@@ -1,0 +1,305 @@
+"""One task of placing a block, from setting out for the supply to standing off the placed block."""
+
+from __future__ import annotations
+
+import math
+from enum import Enum
+from typing import List, Mapping, NamedTuple, Optional, Tuple
+
+from block_construction.building.eyes import Seen, lies_in
+from block_construction.building.gripping import CENTRED, Grip
+from block_construction.building.journey import Journey
+from block_construction.building.performer import Felt, Outcome, Performer
+from block_construction.building.procedures import assembly, manipulation, withdrawal
+from block_construction.building.routes import nearest, stand_off, way_length
+from block_construction.building.seams import Board, Traffic
+from block_construction.building.site_map import Found, SiteMap, is_in_lane
+from block_construction.building.slot import BlockTask, Fetch
+from block_construction.building.state import BuilderState
+from block_construction.diagram.block_set import BODY_HEIGHT
+from rqt_mrta_py.hooks import ArmModel, Perception
+from rqt_mrta_py.model import Pose, Progress, Twist
+
+__all__ = ["Errand", "Helpers", "Move"]
+
+_MOST_MISSES = 3
+"""So often a grip is tried anew."""
+_MOST_LOSSES = 3
+"""So many blocks may be lost on one errand."""
+_LOOKS = 2
+"""What is seen so often is believed."""
+_LONGEST_LOOK = 5.0
+"""A builder that sees nothing for so long takes it that it has no eyes [s]."""
+_ARM_UP = 0.05
+"""The arm is up within so much of its highest angle [rad]."""
+
+
+class Helpers(NamedTuple):
+    """Whom a builder asks.
+
+    Attributes:
+        arm: of the robot.
+        traffic: about ways.
+        board: about others.
+        site: about blocks.
+    """
+
+    arm: ArmModel
+    traffic: Traffic
+    board: Board
+    site: SiteMap
+
+
+class Move(NamedTuple):
+    """What the errand answers.
+
+    Attributes:
+        twist: of the base.
+        arm: angle to be commanded [rad].
+        magnet: whether it shall be on.
+        progress: of the task.
+        detail: why.
+        logs: lines for people.
+    """
+
+    twist: Twist
+    arm: float
+    magnet: bool
+    progress: Progress = Progress.RUNNING
+    detail: str = ""
+    logs: Tuple[str, ...] = ()
+
+
+class _Stage(Enum):
+    WITHDRAWING = "withdrawing"
+    TO_SUPPLY = "to_supply"
+    FETCHING = "fetching"
+    TO_SLOT = "to_slot"
+    PLACING = "placing"
+    CHECKING = "checking"
+
+
+class Errand:
+    """Carries out one task.
+
+    What goes wrong is noticed by magnet and eyes. A grip that misses is tried anew; a block that is lost on the way or
+    does not stay in its slot is taken up again if it lies right before the slot, else another one is fetched; what
+    lies in the way into the slot ends the task, and is told.
+
+    Attributes:
+        slot: what is to be placed.
+        grip: how what the robot holds is held; None while it holds nothing for this slot.
+
+    Args:
+        helpers: whom to ask.
+        slot: what is to be placed.
+        state: of the builder, kept up to date.
+        felt: what the robot knows of itself as it begins.
+        grip: how it holds what it holds, if that belongs into the slot; None if it has to fetch.
+    """
+
+    def __init__(
+        self, helpers: Helpers, slot: BlockTask, state: BuilderState, felt: Felt, grip: Optional[Grip]
+    ) -> None:
+        self._helpers = helpers
+        self.slot = slot
+        self._state = state
+        self.grip = grip
+        self._block = felt.held if grip is not None else ""
+        self._fetch: Optional[Fetch] = None
+        self._journey: Optional[Journey] = None
+        self._performer: Optional[Performer] = None
+        self._misses = self._losses = self._looks = 0
+        self._has_retaken = False
+        self._since = felt.now
+        self._logs: List[str] = []
+        self._stage = self._next = _Stage.TO_SUPPLY if grip is None else _Stage.TO_SLOT
+        if self._is_arm_down(felt):
+            self._withdraw(felt, self._next)
+
+    def left(self, pose: Pose) -> Optional[float]:
+        """Give the ways that are left [m]; None if there is none."""
+        if self._stage in (_Stage.PLACING, _Stage.CHECKING):
+            return 0.0
+        fetch = None if self._stage is _Stage.TO_SLOT else self._fetch
+        return way_length(self._helpers.traffic, pose, self.slot, self._helpers.site.covered, fetch)
+
+    def step(self, perception: Perception, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> Move:
+        """Carry out one control tick.
+
+        Args:
+            perception: of the robot.
+            felt: what it knows of itself.
+            seen: what it sees, if that is new; the site map knows it already.
+        """
+        stage = self._stage
+        if stage is _Stage.TO_SUPPLY:
+            move = self._go_to_supply(perception, felt, seen)
+        elif stage is _Stage.TO_SLOT:
+            move = self._go_to_slot(perception, felt, seen)
+        elif stage is _Stage.CHECKING:
+            move = self._check(felt, seen)
+        else:
+            move = self._perform(felt)
+        if self._logs:
+            move = move._replace(logs=tuple(self._logs))
+            self._logs.clear()
+        return move
+
+    def _go_to_supply(self, perception: Perception, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> Move:
+        if self._is_taken(seen):
+            return self._finish(felt, Progress.DONE, "its slot is taken already")
+        helpers, fetch = self._helpers, self._fetch
+        if fetch is None:
+            fetch = self._fetch = nearest(helpers.traffic, felt.pose, self.slot, helpers.site.covered)
+        if self._journey is None:
+            self._journey = Journey(helpers.traffic, helpers.board, stand_off(fetch.facing))
+        twist = self._drive(self._journey, perception, felt, fetch.claim)
+        if twist is not None:
+            return Move(twist, helpers.arm.highest, magnet=False)
+        return self._take(felt, fetch.facing, BODY_HEIGHT / 2.0)
+
+    def _go_to_slot(self, perception: Perception, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> Move:
+        helpers, slot = self._helpers, self.slot
+        if not felt.held:
+            return self._lose(felt, "on the way", None)
+        if self._is_taken(seen):
+            return self._finish(felt, Progress.DONE, "its slot is taken already")
+        if self._journey is None:
+            self._journey = Journey(helpers.traffic, helpers.board, stand_off(slot.facing))
+        twist = self._drive(self._journey, perception, felt, slot.claim)
+        if twist is not None:
+            return Move(twist, helpers.arm.highest, magnet=True)
+        found = helpers.site.barring(slot, felt.held)
+        if found is not None:
+            return self._finish(felt, Progress.FAILED, f"{found}, in the way into the slot of block {slot.block}")
+        grip = self.grip or CENTRED
+        self._performer = Performer(helpers.arm, assembly(helpers.arm, slot.z, grip.ahead), slot.facing, grip, felt.now)
+        return self._enter(_Stage.PLACING, felt)
+
+    def _drive(self, journey: Journey, perception: Perception, felt: Felt, claim: str) -> Optional[Twist]:
+        """Claim where the way leads, and drive there once nobody else goes first; None once there."""
+        self._state.claims.setdefault(claim, felt.now)
+        if self._helpers.board.may_enter(perception, claim):
+            twist = journey.step(perception, felt.pose, self._helpers.site.covered)
+        else:
+            twist = journey.hold(felt.now, felt.pose)
+        self._state.way, self._state.action = journey.way, ""
+        self._state.activity = "waiting" if journey.is_waiting else "driving"
+        return twist
+
+    def _take(self, felt: Felt, block: Pose, height: float) -> Move:
+        actions = manipulation(self._helpers.arm, height)
+        self._performer = Performer(self._helpers.arm, actions, block, CENTRED, felt.now)
+        return self._enter(_Stage.FETCHING, felt)
+
+    def _perform(self, felt: Felt) -> Move:
+        performer, stage = self._performer, self._stage
+        if performer is None:
+            raise RuntimeError(f"{stage.value} without a procedure")
+        performed = performer.step(felt)
+        self._state.activity = "placing" if stage is _Stage.PLACING else "fetching"
+        self._state.action = performer.word
+        if performed.outcome is Outcome.UNDER_WAY:
+            return Move(performed.twist, performed.arm, performed.magnet)
+        if performed.outcome is Outcome.DONE:
+            return self._go_on(felt, performer.grip)
+        if performed.outcome is Outcome.LOST:
+            return self._lose(felt, f"while {self._state.activity}", None)
+        if performed.outcome is Outcome.MISSED:
+            return self._miss(felt, performer.block)
+        return self._finish(felt, Progress.FAILED, f"something is in the way while {self._state.activity}")
+
+    def _go_on(self, felt: Felt, grip: Grip) -> Move:
+        if self._stage is _Stage.WITHDRAWING:
+            return self._enter(self._next, felt)
+        if self._stage is _Stage.PLACING:
+            return self._enter(_Stage.CHECKING, felt)
+        self.grip, self._block = grip, felt.held
+        if self._fetch is not None:
+            self._state.claims.pop(self._fetch.claim, None)
+        return self._enter(_Stage.TO_SLOT, felt)
+
+    def _check(self, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> Move:
+        if seen is None:
+            if felt.now - self._since > _LONGEST_LOOK:
+                return self._placed(felt)
+            return self._stand(felt)
+        found = seen.get(self._block)
+        if found is not None and lies_in(found, self.slot):
+            return self._placed(felt)
+        self._looks += 1
+        if self._looks < _LOOKS:
+            return self._stand(felt)
+        return self._lose(felt, "after it was placed", found)
+
+    def _placed(self, felt: Felt) -> Move:
+        self._helpers.site.put(self.slot.block, self._block)
+        return self._finish(felt, Progress.DONE, "")
+
+    def _miss(self, felt: Felt, block: Pose) -> Move:
+        self._misses += 1
+        where = f"({block.x:.2f}, {block.y:.2f}) m"
+        if self._misses > _MOST_MISSES:
+            return self._finish(felt, Progress.FAILED, f"nothing could be gripped at {where}")
+        self._logs.append(f"nothing gripped at {where}; tries again")
+        return self._withdraw(felt, _Stage.TO_SUPPLY)
+
+    def _lose(self, felt: Felt, when: str, found: Optional[Seen]) -> Move:
+        self._losses += 1
+        where = "" if found is None else f"; {Found(self._block, found)}"
+        text = f"lost {self._block or 'a block'} {when}{where}"
+        self._helpers.site.lose(self.slot.block)
+        if self._losses > _MOST_LOSSES:
+            return self._finish(felt, Progress.FAILED, text)
+        self.grip, self._fetch = None, None
+        if found is not None and not self._has_retaken and self._is_in_reach(found):
+            self._has_retaken = True
+            self._logs.append(f"{text}; takes it up again")
+            return self._take(felt, Pose(found.x, found.y, self.slot.heading), found.z)
+        self._logs.append(f"{text}; fetches another")
+        self._block = ""
+        self._state.claims.pop(self.slot.claim, None)
+        if self._is_arm_down(felt):
+            return self._withdraw(felt, _Stage.TO_SUPPLY)
+        return self._enter(_Stage.TO_SUPPLY, felt)
+
+    def _is_in_reach(self, found: Seen) -> bool:
+        """Tell whether a block that did not stay lies upright right before its slot, or askew in it."""
+        levels = (found.z - BODY_HEIGHT / 2.0) / BODY_HEIGHT
+        return is_in_lane(found, self.slot) and abs(levels - round(levels)) < 0.1 and found.z < self.slot.z + 0.02
+
+    def _is_taken(self, seen: Optional[Mapping[str, Seen]]) -> bool:
+        """Tell whether another block was seen in the slot, more than once."""
+        if seen is None:
+            return False
+        inside = [name for name, each in seen.items() if name != self._block and lies_in(each, self.slot)]
+        self._looks = self._looks + 1 if inside else 0
+        if self._looks < _LOOKS:
+            return False
+        self._helpers.site.put(self.slot.block, inside[0])
+        return True
+
+    def _withdraw(self, felt: Felt, then: _Stage) -> Move:
+        """Go back from whatever is before the robot, and raise the arm."""
+        arm, yaw = self._helpers.arm, felt.pose.yaw
+        reach = arm.reach_at(felt.angle) + CENTRED.ahead
+        before = Pose(felt.pose.x + reach * math.cos(yaw), felt.pose.y + reach * math.sin(yaw), yaw)
+        actions = withdrawal(arm, felt.angle, magnet=bool(felt.held))
+        self._performer = Performer(arm, actions, before, CENTRED, felt.now)
+        self._next = then
+        return self._enter(_Stage.WITHDRAWING, felt)
+
+    def _is_arm_down(self, felt: Felt) -> bool:
+        return felt.angle < self._helpers.arm.highest - _ARM_UP
+
+    def _enter(self, stage: _Stage, felt: Felt) -> Move:
+        self._stage, self._since, self._looks, self._journey = stage, felt.now, 0, None
+        return self._stand(felt)
+
+    def _stand(self, felt: Felt) -> Move:
+        return Move(Twist(), felt.angle if self._is_arm_down(felt) else self._helpers.arm.highest, bool(felt.held))
+
+    def _finish(self, felt: Felt, progress: Progress, detail: str) -> Move:
+        self._state.claims.clear()
+        return self._stand(felt)._replace(progress=progress, detail=detail)

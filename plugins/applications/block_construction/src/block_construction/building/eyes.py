@@ -1,0 +1,75 @@
+"""What a builder sees: blocks in the frame ``map``, and what that says of slots."""
+
+from __future__ import annotations
+
+import math
+from typing import Dict, Mapping, NamedTuple, Optional
+
+from block_construction.building.pose_filter import composed
+from block_construction.building.slot import BlockTask
+from rqt_mrta_py.hooks import Heard, Perception, Subscription
+from rqt_mrta_py.model import Pose
+
+__all__ = ["DETECTIONS", "Eyes", "Seen", "lies_in"]
+
+DETECTIONS = Subscription("detections", "rqt_mrta_py/Detections", ("detections",))
+
+WITHIN = 0.02
+"""So near the middle of its slot a block lies in it [m]."""
+_LEVEL = 0.02
+"""So near its height a block lies on its level [m]."""
+
+
+class Seen(NamedTuple):
+    """A block that is seen.
+
+    Attributes:
+        x, y, z: its middle, frame ``map`` [m].
+        held: whether a robot at work holds it.
+    """
+
+    x: float
+    y: float
+    z: float
+    held: bool
+
+
+def lies_in(seen: Seen, slot: BlockTask) -> bool:
+    """Tell whether a block lies in a slot: within 2 cm of its middle, on its level, held by nobody."""
+    beside = math.hypot(seen.x - slot.x, seen.y - slot.y)
+    return beside <= WITHIN and abs(seen.z - slot.z) <= _LEVEL and not seen.held
+
+
+class Eyes:
+    """Turns the newest detections into blocks on the map, once for each."""
+
+    def __init__(self) -> None:
+        self._heard: Optional[Heard] = None
+        self._seen: Dict[str, Seen] = {}
+
+    def look(self, perception: Perception, robot: Pose) -> Optional[Mapping[str, Seen]]:
+        """Give what is seen, by the blocks' ids.
+
+        Args:
+            perception: of the robot.
+            robot: where it is.
+
+        Returns:
+            All of it, as of the newest detections; None if there is nothing newer than at the last look.
+        """
+        heard = perception.newest(DETECTIONS.topic)
+        if heard is None or heard is self._heard:
+            return None
+        self._heard = heard
+        seen: Dict[str, Seen] = {}
+        for each in heard.fields["detections"]:
+            position = each["position"]
+            place = composed(robot, Pose(position["x"], position["y"]))
+            seen[each["id"]] = Seen(place.x, place.y, position["z"], each["held"])
+        self._seen = seen
+        return seen
+
+    @property
+    def seen(self) -> Mapping[str, Seen]:
+        """What was seen at the last look."""
+        return self._seen

@@ -1,0 +1,115 @@
+"""From what is set to what is built: diagram, supply, plan."""
+
+from __future__ import annotations
+
+import dataclasses
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Callable, Mapping, NamedTuple, Optional
+
+from block_construction.diagram.block_set import DEFAULT_LENGTHS
+from block_construction.diagram.diagram import AssemblyDiagram
+from block_construction.diagram.planning import plan_diagram
+from block_construction.diagram.table import read_diagram
+from block_construction.documents import bounded_text
+from block_construction.errors import ConstructionError
+from block_construction.execution.arena import Arena
+from block_construction.execution.feasibility import check_plan
+from block_construction.execution.plan import BuildPlan, build_plan, problem_of
+from block_construction.execution.plan_file import read_plan
+from block_construction.execution.planners import plan_build
+from block_construction.execution.problem import BuildProblem
+from block_construction.execution.subset_programme import LARGEST_GROUP
+from block_construction.execution.supply_file import Supply, supply_named
+from block_construction.mission.published_wall import wall_diagram, wall_steps, wall_supply
+from block_construction.mission.settings import BuildSettings
+from block_construction.mission.starts import start_point
+from block_construction.structure.drawings import MOST_BYTES, read_structure
+from rqt_mrta_py.hooks import AssemblyPlanner, Structure, UsageError
+
+__all__ = ["STAND_OFF", "Drawn", "draw"]
+
+STAND_OFF = 0.55
+"""From the middle of a block to where the robot's centre stands before it lowers its arm [m]."""
+
+_SOURCE = "wall_source"
+
+
+class Drawn(NamedTuple):
+    """What is built.
+
+    Attributes:
+        problem: what is built, and where.
+        plan: in which order, from where; None where the order is free.
+    """
+
+    problem: BuildProblem
+    plan: Optional[BuildPlan]
+
+
+def draw(settings: BuildSettings, planners: Mapping[str, AssemblyPlanner], check: Callable[[Structure], None]) -> Drawn:
+    """Find out what is built.
+
+    Args:
+        settings: what is set.
+        planners: assembly planners by name.
+        check: raises where a structure cannot be built.
+
+    Raises:
+        MrtaError: it cannot be built; names file, voxel or block.
+    """
+    if settings.plan:
+        path = Path(settings.plan)
+        read = read_plan(path.name, bounded_text(path, MOST_BYTES))
+        check(read.diagram.structure)
+        plan = dataclasses.replace(read, arena=dataclasses.replace(read.arena, stand_off=STAND_OFF))
+        check_plan(plan)
+        return Drawn(problem_of(plan), plan if settings.order == "plan" else None)
+    diagram = _diagram(settings, planners, check)
+    supply = _supply(settings)
+    problem = BuildProblem(diagram, supply.places, supply.arena)
+    return Drawn(problem, _plan(settings, problem) if settings.order == "plan" else None)
+
+
+def _diagram(
+    settings: BuildSettings, planners: Mapping[str, AssemblyPlanner], check: Callable[[Structure], None]
+) -> AssemblyDiagram:
+    if settings.diagram:
+        path = Path(settings.diagram)
+        diagram = read_diagram(path.name, bounded_text(path, MOST_BYTES))
+        check(diagram.structure)
+        return diagram
+    structure = read_structure(settings.structure)
+    check(structure)
+    if settings.structure == "wall" and not settings.method:
+        return wall_diagram()
+    method = settings.method or ("exact" if find_spec("ortools") is not None else "pla")
+    if method not in planners:
+        raise UsageError(f"method={method}: there is no such planner; accepted are {', '.join(sorted(planners))}")
+    return plan_diagram(planners[method], structure, DEFAULT_LENGTHS, seed=settings.seed).diagram
+
+
+def _supply(settings: BuildSettings) -> Supply:
+    """Give the supply, with an arena as the simulated robot needs it."""
+    if settings.supply == _SOURCE:
+        supply = wall_supply()
+    else:
+        try:
+            supply = supply_named(settings.supply)
+        except ConstructionError as error:
+            more = f", {_SOURCE}" if "corners_all" in str(error) else ""
+            raise ConstructionError(f"{error}{more}") from error
+    arena = supply.arena
+    start = start_point(arena) if arena.start == Arena.start else arena.start
+    return supply._replace(arena=dataclasses.replace(arena, stand_off=STAND_OFF, start=start))
+
+
+def _plan(settings: BuildSettings, problem: BuildProblem) -> BuildPlan:
+    by_source = settings.structure == "wall" and settings.supply == _SOURCE and not settings.diagram
+    if by_source and not (settings.planner or settings.method):
+        plan = build_plan("source", problem, wall_steps())
+        check_plan(plan)
+        return plan
+    largest = max(map(len, problem.groups))
+    planner = settings.planner or ("exact" if largest <= LARGEST_GROUP else "local")
+    return plan_build(planner, problem, seed=settings.seed).plan
