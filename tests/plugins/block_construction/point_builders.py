@@ -27,6 +27,7 @@ from block_construction.team.turns import nearest_pairs
 SPEED, RADIUS, STAND_OFF = 0.03, 0.18, 0.55
 FETCHING, PLACING = 40.0, 55.0
 STEP = 0.5
+NOWHERE = Dock(0.0, 0.0, 0.0, 0.0)
 REACH = 0.42
 """From the middle of a block to that of the robot that holds it."""
 
@@ -81,8 +82,8 @@ class Builder:
     task: int = 0
     until: float = 0.0
     doing: str = "idle"
-    dock: Dock = Dock(0.0, 0.0, 0.0, 0.0)
-    slot: Dock = Dock(0.0, 0.0, 0.0, 0.0)
+    dock: Dock = NOWHERE
+    slot: Dock = NOWHERE
     waited: float = 0.0
     driven: float = 0.0
     busy: float = 0.0

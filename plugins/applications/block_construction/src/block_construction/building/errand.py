@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from enum import Enum
-from typing import List, Mapping, NamedTuple, Optional, Tuple
+from typing import List, Mapping, NamedTuple, Optional, Tuple, Union
 
 from block_construction.building.eyes import Seen, lies_in
 from block_construction.building.gripping import CENTRED, Grip
@@ -16,11 +16,17 @@ from block_construction.building.seams import Board, Traffic
 from block_construction.building.site_map import Found, SiteMap, is_in_lane
 from block_construction.building.slot import BlockTask, Fetch
 from block_construction.building.state import BuilderState
+from block_construction.building.team_journey import TeamJourney, dock_before, team_trip
 from block_construction.diagram.block_set import BODY_HEIGHT
+from block_construction.team.berth import find_berth
+from block_construction.team.board import TeamBoard
+from block_construction.team.lingering import Placement, is_done
+from block_construction.team.peers import Dock
+from block_construction.team.traffic import Traffic as TeamTraffic
 from rqt_mrta_py.hooks import ArmModel, Perception
 from rqt_mrta_py.model import Pose, Progress, Twist
 
-__all__ = ["Errand", "Helpers", "Move"]
+__all__ = ["Errand", "Helpers", "Move", "Team"]
 
 _MOST_MISSES = 3
 """So often a grip is tried anew."""
@@ -30,8 +36,26 @@ _LOOKS = 2
 """What is seen so often is believed."""
 _LONGEST_LOOK = 5.0
 """A builder that sees nothing for so long takes it that it has no eyes [s]."""
+_RECONSIDERED = 5.0
+"""Who waits thinks anew about where to fetch, or where to wait, after so long [s]."""
 _ARM_UP = 0.05
 """The arm is up within so much of its highest angle [rad]."""
+
+
+class Team(NamedTuple):
+    """What a builder needs that is not alone.
+
+    Attributes:
+        robot: its id.
+        board: knows the teammates.
+        traffic: plans ways among them.
+        tasks: of the build, by id.
+    """
+
+    robot: str
+    board: TeamBoard
+    traffic: TeamTraffic
+    tasks: Mapping[str, Placement]
 
 
 class Helpers(NamedTuple):
@@ -42,12 +66,14 @@ class Helpers(NamedTuple):
         traffic: about ways.
         board: about others.
         site: about blocks.
+        team: what only those ask who are not alone.
     """
 
     arm: ArmModel
     traffic: Traffic
     board: Board
     site: SiteMap
+    team: Optional[Team] = None
 
 
 class Move(NamedTuple):
@@ -77,6 +103,7 @@ class _Stage(Enum):
     TO_SLOT = "to_slot"
     PLACING = "placing"
     CHECKING = "checking"
+    LINGERING = "lingering"
 
 
 class Errand:
@@ -107,7 +134,8 @@ class Errand:
         self.grip = grip
         self._block = felt.held if grip is not None else ""
         self._fetch: Optional[Fetch] = None
-        self._journey: Optional[Journey] = None
+        self._journey: Optional[Union[Journey, TeamJourney]] = None
+        self._chosen = -math.inf
         self._performer: Optional[Performer] = None
         self._misses = self._losses = self._looks = 0
         self._has_retaken = False
@@ -119,7 +147,7 @@ class Errand:
 
     def left(self, pose: Pose) -> Optional[float]:
         """Give the ways that are left [m]; None if there is none."""
-        if self._stage in (_Stage.PLACING, _Stage.CHECKING):
+        if self._stage in (_Stage.PLACING, _Stage.CHECKING, _Stage.LINGERING):
             return 0.0
         fetch = None if self._stage is _Stage.TO_SLOT else self._fetch
         return way_length(self._helpers.traffic, pose, self.slot, self._helpers.site.covered, fetch)
@@ -139,6 +167,8 @@ class Errand:
             move = self._go_to_slot(perception, felt, seen)
         elif stage is _Stage.CHECKING:
             move = self._check(felt, seen)
+        elif stage is _Stage.LINGERING:
+            move = self._linger(perception, felt)
         else:
             move = self._perform(felt)
         if self._logs:
@@ -150,10 +180,13 @@ class Errand:
         if self._is_taken(seen):
             return self._finish(felt, Progress.DONE, "its slot is taken already")
         helpers, fetch = self._helpers, self._fetch
-        if fetch is None:
-            fetch = self._fetch = nearest(helpers.traffic, felt.pose, self.slot, helpers.site.covered)
+        waits = self._journey is not None and self._journey.is_waiting and helpers.team is not None
+        if fetch is None or (waits and felt.now - self._chosen >= _RECONSIDERED):
+            self._chosen, before = felt.now, fetch
+            fetch = self._fetch = self._choose(perception, felt)
+            self._journey = self._journey if fetch == before else None
         if self._journey is None:
-            self._journey = Journey(helpers.traffic, helpers.board, stand_off(fetch.facing))
+            self._journey = self._set_out(fetch.facing)
         twist = self._drive(self._journey, perception, felt, fetch.claim)
         if twist is not None:
             return Move(twist, helpers.arm.highest, magnet=False)
@@ -166,7 +199,7 @@ class Errand:
         if self._is_taken(seen):
             return self._finish(felt, Progress.DONE, "its slot is taken already")
         if self._journey is None:
-            self._journey = Journey(helpers.traffic, helpers.board, stand_off(slot.facing))
+            self._journey = self._set_out(slot.facing)
         twist = self._drive(self._journey, perception, felt, slot.claim)
         if twist is not None:
             return Move(twist, helpers.arm.highest, magnet=True)
@@ -177,7 +210,25 @@ class Errand:
         self._performer = Performer(helpers.arm, assembly(helpers.arm, slot.z, grip.ahead), slot.facing, grip, felt.now)
         return self._enter(_Stage.PLACING, felt)
 
-    def _drive(self, journey: Journey, perception: Perception, felt: Felt, claim: str) -> Optional[Twist]:
+    def _choose(self, perception: Perception, felt: Felt) -> Fetch:
+        helpers, slot = self._helpers, self.slot
+        if helpers.team is not None:
+            trip, fetches = team_trip(
+                helpers.team.board, helpers.team.traffic, slot, (perception, felt.pose), helpers.site.covered
+            )
+            if trip is not None:
+                return fetches[trip.supply]
+        return nearest(helpers.traffic, felt.pose, slot, helpers.site.covered)
+
+    def _set_out(self, block: Pose) -> Union[Journey, TeamJourney]:
+        team = self._helpers.team
+        if team is None:
+            return Journey(self._helpers.traffic, self._helpers.board, stand_off(block))
+        return TeamJourney(team.board.driver(team.traffic), team.board, dock_before(block), block.yaw)
+
+    def _drive(
+        self, journey: Union[Journey, TeamJourney], perception: Perception, felt: Felt, claim: str
+    ) -> Optional[Twist]:
         """Claim where the way leads, and drive there once nobody else goes first; None once there."""
         self._state.claims.setdefault(claim, felt.now)
         if self._helpers.board.may_enter(perception, claim):
@@ -185,6 +236,7 @@ class Errand:
         else:
             twist = journey.hold(felt.now, felt.pose)
         self._state.way, self._state.action = journey.way, ""
+        self._state.goal = journey.goal if isinstance(journey, TeamJourney) else ()
         self._state.activity = "waiting" if journey.is_waiting else "driving"
         return twist
 
@@ -235,7 +287,30 @@ class Errand:
 
     def _placed(self, felt: Felt) -> Move:
         self._helpers.site.put(self.slot.block, self._block)
+        if self._helpers.team is not None:
+            return self._enter(_Stage.LINGERING, felt)
         return self._finish(felt, Progress.DONE, "")
+
+    def _linger(self, perception: Perception, felt: Felt) -> Move:
+        """Make room for others, until there is more to do or another block waits for this one."""
+        team, site, here = self._helpers.team, self._helpers.site, (felt.pose.x, felt.pose.y)
+        if team is None:
+            return self._finish(felt, Progress.DONE, "")
+        peers = team.board.peers(perception)
+        if is_done((team.robot, self._state.task, here), team.tasks, site.standing, peers):
+            team.board.driver(team.traffic).stand(felt.now, here)
+            return self._finish(felt, Progress.DONE, "")
+        driver = team.board.driver(team.traffic)
+        at_rest = not driver.way or driver.way[-1].time <= felt.now
+        if self._journey is None or (at_rest and felt.now - self._chosen >= _RECONSIDERED):
+            self._chosen = felt.now
+            berth = find_berth(team.traffic, here, site.covered, peers) or here
+            self._journey = TeamJourney(driver, team.board, Dock(*berth, *berth))
+        journey = self._journey
+        twist = journey.step(perception, felt.pose, site.covered)
+        self._state.way, self._state.activity, self._state.action = journey.way, "idle", ""
+        self._state.goal = journey.goal if isinstance(journey, TeamJourney) else ()
+        return Move(twist or Twist(), self._helpers.arm.highest, magnet=False)
 
     def _miss(self, felt: Felt, block: Pose) -> Move:
         self._misses += 1

@@ -53,6 +53,8 @@ class Peer(NamedTuple):
         goal: the dock where it wants to be, if it waits for a way; None if it does not wait.
         target: the dock from which it will place its block; None if it has no task.
         idle: whether it has nothing to do, and will not move before it has.
+        task: id of the one under way; empty if none.
+        lingers: whether it has placed its block and makes room until there is more to do.
     """
 
     id: str
@@ -61,6 +63,8 @@ class Peer(NamedTuple):
     goal: Optional[Dock] = None
     target: Optional[Dock] = None
     idle: bool = False
+    task: str = ""
+    lingers: bool = False
 
     @property
     def announced(self) -> float:
