@@ -7,7 +7,7 @@ import logging
 import sys
 from pathlib import Path
 from types import ModuleType
-from typing import Iterable, Mapping, Tuple, Union
+from typing import Container, Iterable, Mapping, Optional, Tuple, Union
 
 from rqt_mrta_py.config.discovery.registration import Registration, RegistrationKind, Registry
 from rqt_mrta_py.errors import HookError, Problem
@@ -19,7 +19,10 @@ _log = logging.getLogger("rqt_mrta_py.hooks")
 
 
 def load_plugins(
-    source: Union[Registry, Iterable[Registration]], manager: PluginManager, forgiving: bool = False
+    source: Union[Registry, Iterable[Registration]],
+    manager: PluginManager,
+    forgiving: bool = False,
+    only: Optional[Container[str]] = None,
 ) -> Tuple[Problem, ...]:
     """Import and register plugins, in order; one that cannot be imported is left out and the others go on.
 
@@ -29,6 +32,7 @@ def load_plugins(
         source: what was discovered; registrations that are no plugins are passed over.
         manager: takes the plugins in, each under its module's name; one registered twice counts once.
         forgiving: leave out those too that do not keep the contract.
+        only: plugins that are wanted, though they may import what others bring; None for all.
 
     Returns:
         What was left out, one problem for each plugin. Whether one was needed is the caller's to know.
@@ -44,6 +48,8 @@ def load_plugins(
     failures = []
     for registration in registrations:
         if registration.kind is not RegistrationKind.PLUGIN or registration.plugin in manager.names:
+            continue
+        if only is not None and registration.plugin not in only:
             continue
         is_imported = False
         try:

@@ -7,7 +7,7 @@ from typing import Any, Dict, List, NamedTuple, Optional
 
 from rqt_mrta_py.app.catalogue.plugins import plugin_entries, surveyed
 from rqt_mrta_py.app.loading.environment import plugin_settings
-from rqt_mrta_py.config.discovery.registration import RegistrationKind, Registry
+from rqt_mrta_py.config.discovery.registration import Registry
 
 __all__ = ["MissionSettings", "mission_settings"]
 
@@ -45,7 +45,7 @@ def mission_settings(registry: Registry, application: str) -> MissionSettings:
     if not makers:
         return MissionSettings([], None)
     manager = PluginManager()
-    load_plugins([each for each in registry.of_kind(RegistrationKind.PLUGIN) if each.plugin in makers], manager)
+    load_plugins(registry, manager, only=makers)
     maker = manager.registered(_HOOK).get(application)
     if maker is None:
         return MissionSettings([], None)

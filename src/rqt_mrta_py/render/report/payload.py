@@ -81,6 +81,7 @@ def payload(given: ReportInput, colours: TaskColours) -> Dict[str, Any]:
                     [_ROBOT_STATES.index(each.state) for each in robot.states],
                 ),
                 "track": _track(tracks.get(robot.id), clock, resolution),
+                "gone": _gone(tracks.get(robot.id), clock),
             }
             for robot in record.robots[:MOST_ROWS]
         ],
@@ -174,6 +175,10 @@ def _resolution(given: ReportInput) -> float:
 
 def _near(values: Sequence[float]) -> List[float]:
     return [value for value in values if abs(value) < _FARTHEST]
+
+
+def _gone(track: Optional[RobotTrack], clock: _Clock) -> Optional[int]:
+    return None if track is None or track.gone is None else clock(track.gone)
 
 
 def _track(track: Optional[RobotTrack], clock: _Clock, resolution: float) -> Optional[str]:

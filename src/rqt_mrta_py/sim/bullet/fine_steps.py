@@ -66,6 +66,10 @@ class FineSteps:
         """Set a loose body free, and what stands on it, as something happens to it."""
         self._resting.stir(number)
 
+    def forget(self, number: int) -> None:
+        """Take a robot, or a body that was just stirred, out of the books."""
+        self._resting.forget(number)
+
     def step(self) -> None:
         """Let one tick pass."""
         close = self._close_robots()

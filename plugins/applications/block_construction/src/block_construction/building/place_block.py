@@ -14,7 +14,7 @@ from block_construction.building.procedures import TRAVEL_SPEED, assembly
 from block_construction.building.routes import way_length
 from block_construction.building.seams import Board, Solo
 from block_construction.building.site_map import SiteMap
-from block_construction.building.slot import BlockTask, block_task
+from block_construction.building.slot import KIND, BlockTask, block_task
 from block_construction.building.state import BuilderState, Teller
 from block_construction.building.team_journey import dock_before, team_trip
 from block_construction.diagram.block_set import BODY_HEIGHT, PITCH
@@ -48,7 +48,6 @@ ODOMETRY = Subscription(
         "pose/pose/orientation/w",
     ),
 )
-KIND = "place_block"
 
 _STALE = 2.0
 _PLANNED_SPEED = 0.97 * TRAVEL_SPEED

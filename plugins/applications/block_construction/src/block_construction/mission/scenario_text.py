@@ -18,6 +18,7 @@ _MASS = 0.02
 _FRICTION = 0.8
 _CONTROL_RATE = 10
 _PICTURES = 30
+_LINGER = 10
 _MINUTE = 60.0
 
 
@@ -35,10 +36,11 @@ def scenario_text(
             y [m].
     """
     # Blocks may fall and be placed anew; whoever is done earlier only waits.
-    duration = math.ceil((2.0 * of["expected"] + 600.0) / _MINUTE) * 60
+    duration = math.ceil((1.5 * of["expected"] + 300.0) / _MINUTE) * 60
     lines = [
         "world: bullet",
         f"duration: {duration}",
+        f"linger: {_LINGER}",
         f"control_rate: {_CONTROL_RATE}",
         f"picture_period: {_PICTURES}",
         f"arena: {{min_x: 0.0, min_y: 0.0, max_x: {number(side)}, max_y: {number(side)}}}",
@@ -72,5 +74,6 @@ def _sensors(pose_noise: float) -> List[str]:
     return [
         f"    - {{kind: localiser, topic: pose, rate: 10, position_noise: 0.0, heading_noise: 0.0{noise}}}",
         "    - {kind: odometry, topic: odom, rate: 10}",
-        "    - {kind: detector, topic: detections, rate: 2, max_range: 1.0, fov: 6.283185, position_noise: 0.0}",
+        "    - {kind: detector, topic: detections, rate: 2, max_range: 1.0, fov: 6.283185, position_noise: 0.0, "
+        "from_above: true}",
     ]
