@@ -8,21 +8,21 @@ from typing import List, Mapping, NamedTuple, Optional, Tuple
 
 from block_construction.building.eyes import Seen, lies_in
 from block_construction.building.gripping import CENTRED, Grip
-from block_construction.building.journey import Journey
+from block_construction.building.helpers import Helpers
 from block_construction.building.laying import spare_place
 from block_construction.building.performer import Felt, Outcome, Performer
 from block_construction.building.procedures import assembly, manipulation, withdrawal
-from block_construction.building.routes import stand_off, way_length
-from block_construction.building.seams import Board, Traffic
-from block_construction.building.site_map import Found, SiteMap, is_in_lane
+from block_construction.building.routes import way_length
+from block_construction.building.site_map import Found, is_in_lane
 from block_construction.building.slot import BlockTask, Fetch
 from block_construction.building.state import BuilderState
 from block_construction.building.supply import Supply
+from block_construction.building.travel import Travel
 from block_construction.diagram.block_set import BODY_HEIGHT
-from rqt_mrta_py.hooks import ArmModel, Perception
+from rqt_mrta_py.hooks import Perception
 from rqt_mrta_py.model import Pose, Progress, Twist
 
-__all__ = ["Errand", "Helpers", "Move"]
+__all__ = ["Errand", "Move"]
 
 _MOST_MISSES = 3
 """So often a grip is tried anew."""
@@ -34,22 +34,6 @@ _LONGEST_LOOK = 5.0
 """A builder that sees nothing for so long takes it that it has no eyes [s]."""
 _ARM_UP = 0.05
 """The arm is up within so much of its highest angle [rad]."""
-
-
-class Helpers(NamedTuple):
-    """Whom a builder asks.
-
-    Attributes:
-        arm: of the robot.
-        traffic: about ways.
-        board: about others.
-        site: about blocks.
-    """
-
-    arm: ArmModel
-    traffic: Traffic
-    board: Board
-    site: SiteMap
 
 
 class Move(NamedTuple):
@@ -81,6 +65,7 @@ class _Stage(Enum):
     TO_SLOT = "to_slot"
     PLACING = "placing"
     CHECKING = "checking"
+    LINGERING = "lingering"
 
 
 class Errand:
@@ -112,7 +97,7 @@ class Errand:
         self.grip = grip
         self._block = felt.held if grip is not None else ""
         self._supply = Supply(slot)
-        self._journey: Optional[Journey] = None
+        self._travel = Travel(helpers, slot, state)
         self._performer: Optional[Performer] = None
         self._misses = self._losses = self._looks = 0
         self._has_retaken = False
@@ -126,7 +111,7 @@ class Errand:
 
     def left(self, pose: Pose) -> Optional[float]:
         """Give the ways that are left [m]; None if there is none."""
-        if self._stage in (_Stage.PLACING, _Stage.CHECKING):
+        if self._stage in (_Stage.PLACING, _Stage.CHECKING, _Stage.LINGERING):
             return 0.0
         fetch = None if self._stage is _Stage.TO_SLOT else self._supply.fetch
         return way_length(self._helpers.traffic, pose, self.slot, self._helpers.site.covered, fetch)
@@ -148,6 +133,8 @@ class Errand:
             move = self._go_to_spare_place(perception, felt)
         elif stage is _Stage.CHECKING:
             move = self._check(felt, seen)
+        elif stage is _Stage.LINGERING:
+            move = self._linger(perception, felt)
         else:
             move = self._perform(felt)
         if self._logs:
@@ -158,15 +145,13 @@ class Errand:
     def _go_to_supply(self, perception: Perception, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> Move:
         if self._is_taken(seen):
             return self._finish(felt, Progress.DONE, "its slot is taken already")
-        helpers, supply = self._helpers, self._supply
-        fetch = supply.choose(helpers.traffic, felt.pose, helpers.site.covered)
+        supply = self._supply
+        fetch = self._travel.choose(perception, felt, supply)
         if fetch is None:
             return self._finish(felt, Progress.FAILED, str(supply))
-        if self._journey is None:
-            self._journey = Journey(helpers.traffic, helpers.board, stand_off(fetch.facing))
-        twist = self._drive(self._journey, perception, felt, fetch.claim)
+        twist = self._travel.drive(perception, felt, fetch.facing, fetch.claim)
         if twist is not None:
-            return Move(twist, helpers.arm.highest, magnet=False)
+            return Move(twist, self._helpers.arm.highest, magnet=False)
         if supply.has_block(felt.now, seen):
             return self._take(felt, fetch.facing, BODY_HEIGHT / 2.0)
         if supply.fetch is None:
@@ -183,9 +168,7 @@ class Errand:
             if self._spare is None:
                 return self._finish(felt, Progress.FAILED, f"holds {felt.held}, and finds no place to lay it down")
             self._logs.append(f"lays {felt.held} down at ({self._spare.x:.2f}, {self._spare.y:.2f}) m")
-        if self._journey is None:
-            self._journey = Journey(helpers.traffic, helpers.board, stand_off(self._spare))
-        twist = self._drive(self._journey, perception, felt, "")
+        twist = self._travel.drive(perception, felt, self._spare)
         if twist is not None:
             return Move(twist, helpers.arm.highest, magnet=True)
         actions = assembly(helpers.arm, BODY_HEIGHT / 2.0, CENTRED.ahead)
@@ -198,9 +181,7 @@ class Errand:
             return self._lose(felt, "on the way", None)
         if self._is_taken(seen):
             return self._finish(felt, Progress.DONE, "its slot is taken already")
-        if self._journey is None:
-            self._journey = Journey(helpers.traffic, helpers.board, stand_off(slot.facing))
-        twist = self._drive(self._journey, perception, felt, slot.claim)
+        twist = self._travel.drive(perception, felt, slot.facing, slot.claim)
         if twist is not None:
             return Move(twist, helpers.arm.highest, magnet=True)
         found = helpers.site.barring(slot, felt.held)
@@ -210,21 +191,9 @@ class Errand:
         self._performer = Performer(helpers.arm, assembly(helpers.arm, slot.z, grip.ahead), slot.facing, grip, felt.now)
         return self._enter(_Stage.PLACING, felt)
 
-    def _drive(self, journey: Journey, perception: Perception, felt: Felt, claim: str) -> Optional[Twist]:
-        """Claim where the way leads, and drive once nobody else goes first; None once there; an empty claim is none."""
-        if claim:
-            self._state.claims.setdefault(claim, felt.now)
-        if not claim or self._helpers.board.may_enter(perception, claim):
-            twist = journey.step(perception, felt.pose, self._helpers.site.covered)
-        else:
-            twist = journey.hold(felt.now, felt.pose)
-        self._state.way, self._state.action = journey.way, ""
-        self._state.activity = "waiting" if journey.is_waiting else "driving"
-        return twist
-
     def _leave(self, fetch: Fetch) -> None:
         self._state.claims.pop(fetch.claim, None)
-        self._journey = None
+        self._travel.end()
 
     def _take(self, felt: Felt, block: Pose, height: float) -> Move:
         actions = manipulation(self._helpers.arm, height)
@@ -277,7 +246,16 @@ class Errand:
 
     def _placed(self, felt: Felt) -> Move:
         self._helpers.site.put(self.slot.block, self._block)
+        if self._helpers.team is not None:
+            return self._enter(_Stage.LINGERING, felt)
         return self._finish(felt, Progress.DONE, "")
+
+    def _linger(self, perception: Perception, felt: Felt) -> Move:
+        team = self._helpers.team
+        twist = None if team is None else self._travel.linger(perception, felt, team)
+        if twist is None:
+            return self._finish(felt, Progress.DONE, "")
+        return Move(twist, self._helpers.arm.highest, magnet=False)
 
     def _miss(self, felt: Felt, block: Pose) -> Move:
         self._misses += 1
@@ -336,7 +314,8 @@ class Errand:
         return felt.angle < self._helpers.arm.highest - _ARM_UP
 
     def _enter(self, stage: _Stage, felt: Felt) -> Move:
-        self._stage, self._since, self._looks, self._journey = stage, felt.now, 0, None
+        self._stage, self._since, self._looks = stage, felt.now, 0
+        self._travel.end()
         return self._stand(felt)
 
     def _stand(self, felt: Felt) -> Move:

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from typing import FrozenSet, List, Mapping, Optional
+from typing import List, Mapping, Optional, Sequence
 
 from block_construction.building.eyes import Seen
-from block_construction.building.routes import nearest
-from block_construction.building.seams import Traffic
 from block_construction.building.site_map import is_ready
-from block_construction.building.slot import BlockTask, Cell, Fetch
-from rqt_mrta_py.model import Pose
+from block_construction.building.slot import BlockTask, Fetch
 
 __all__ = ["Supply"]
 
@@ -20,7 +17,7 @@ _PATIENCE = 60.0
 
 
 class Supply:
-    """Chooses among a task's supply places; those that stay empty are not chosen again.
+    """Knows which of a task's supply places is chosen; those that stay empty are not to be chosen again.
 
     Attributes:
         fetch: the place that is chosen; None if none is.
@@ -36,19 +33,16 @@ class Supply:
         self._has_looked = False
         self.fetch: Optional[Fetch] = None
 
-    def choose(self, traffic: Traffic, pose: Pose, covered: FrozenSet[Cell]) -> Optional[Fetch]:
-        """Give the place that is chosen, or choose the one with the shortest ways; None if all are empty.
+    @property
+    def open(self) -> Sequence[Fetch]:
+        """The places that have not stayed empty."""
+        return [each for each in self._slot.supply if each not in self._empty]
 
-        Args:
-            traffic: knows ways.
-            pose: of the robot.
-            covered: what blocks lie on.
-        """
-        if self.fetch is None:
-            places = [each for each in self._slot.supply if each not in self._empty]
-            self._arrived, self._has_looked = None, False
-            self.fetch = nearest(traffic, pose, self._slot, places, covered) if places else None
-        return self.fetch
+    def choose(self, fetch: Optional[Fetch]) -> Optional[Fetch]:
+        """Set the place to fetch from, or none; give it."""
+        if fetch != self.fetch:
+            self.fetch, self._arrived, self._has_looked = fetch, None, False
+        return fetch
 
     def has_block(self, now: float, seen: Optional[Mapping[str, Seen]]) -> bool:
         """Tell whether a block lies ready, of a robot that stands before the place; gives it up after a minute.
