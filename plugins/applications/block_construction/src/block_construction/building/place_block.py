@@ -34,7 +34,7 @@ from rqt_mrta_py.hooks import (
 )
 from rqt_mrta_py.model import Pose, Progress, Task, Twist
 
-__all__ = ["PlaceBlock", "place_block"]
+__all__ = ["PLANNED_SPEED", "PlaceBlock", "place_block", "posts_of"]
 
 ARM_STATE = Subscription("arm/state", "std_msgs/Float64", ("data",))
 MAGNET_STATE = Subscription("magnet/state", "std_msgs/String", ("data",))
@@ -50,7 +50,7 @@ ODOMETRY = Subscription(
 )
 
 _STALE = 2.0
-_PLANNED_SPEED = 0.97 * TRAVEL_SPEED
+PLANNED_SPEED = 0.97 * TRAVEL_SPEED
 """Ways are planned a little slower than the robot drives, so that it keeps up [m/s]."""
 _LYING = 0.10
 """Radius of a block that lies ready [m]."""
@@ -95,7 +95,7 @@ class PlaceBlock:
         self._setup = setup
         self._arm: ArmModel = arm
         alone = len(setup.team) < 2
-        self._board = board or (Solo() if alone else TeamBoard(setup.robot_id, setup.team, _PLANNED_SPEED, self.docks))
+        self._board = board or (Solo() if alone else TeamBoard(setup.robot_id, setup.team, PLANNED_SPEED, self.docks))
         self._slots = {task.id: (task, block_task(task)) for task in setup.tasks if task.kind == KIND}
         self._traffic: Dict[Tuple[Tuple[float, ...], float], Traffic] = {}
         self._site = SiteMap()
@@ -113,7 +113,7 @@ class PlaceBlock:
         self._twist = Twist()
         self._told: Dict[str, _Told] = {}
         self._placements: Dict[str, Placement] = {}
-        self._costs: Dict[str, Tuple[float, Optional[float]]] = {}
+        self._costs: Dict[str, Tuple[float, float]] = {}
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Hear arm, magnet, odometry and detector, and what others say."""
@@ -212,9 +212,9 @@ class PlaceBlock:
         key = (slot.site, slot.arena)
         if key not in self._traffic:
             places = {fetch for _, other in self._slots.values() for fetch in other.supply}
-            posts = sorted({Post(fetch.x, fetch.y, _LYING) for fetch in places})
+            posts = posts_of([(fetch.x, fetch.y) for fetch in places])
             radius = self._setup.model.radius
-            self._traffic[key] = Traffic(slot.arena, slot.site, radius, _PLANNED_SPEED, PITCH, posts=posts)
+            self._traffic[key] = Traffic(slot.arena, slot.site, radius, PLANNED_SPEED, PITCH, posts=posts)
         return self._traffic[key]
 
     def _team(self, slot: BlockTask) -> Optional[Team]:
@@ -244,7 +244,7 @@ class PlaceBlock:
         if team is None:
             return None
         trip, _ = team_trip(team.board, team.traffic, slot, (perception, pose), self._site.covered)
-        cost = None if trip is None else trip.cost
+        cost = math.inf if trip is None else trip.cost
         self._costs[name] = (perception.now, cost)
         return cost
 
@@ -294,6 +294,11 @@ class PlaceBlock:
 def place_block(setup: BehaviourSetup) -> PlaceBlock:
     """Make the behaviour for one robot."""
     return PlaceBlock(setup)
+
+
+def posts_of(places: Sequence[Tuple[float, float]]) -> Tuple[Post, ...]:
+    """Give what is driven around where blocks lie ready [m]."""
+    return tuple(sorted({Post(x, y, _LYING) for x, y in places}))
 
 
 def _counted(heard: Optional[Heard]) -> Optional[Pose]:
