@@ -4,7 +4,7 @@
 * ``pose_filter``: where the robot is; ``eyes``: what it sees; ``site_map``: what it makes of that
 * ``gripping``: where a block is at the magnet
 * ``follower``: velocities along a way; ``routes``, ``journey``: from one place to the next
-* ``team_journey``: the same among teammates
+* ``team_journey``: the same among teammates; ``teamwork``: where they fetch and wait
 * ``actions``: the five of them; ``procedures``: the two, as tables of actions; ``performer`` carries them out
 * ``errand``: one task from setting out to standing off; ``place_block``: the behaviour
 * ``build_measure``: what came of it

@@ -16,17 +16,13 @@ from block_construction.building.seams import Board, Traffic
 from block_construction.building.site_map import Found, SiteMap, is_in_lane
 from block_construction.building.slot import BlockTask, Fetch
 from block_construction.building.state import BuilderState
-from block_construction.building.team_journey import TeamJourney, dock_before, team_trip
+from block_construction.building.team_journey import TeamJourney, dock_before
+from block_construction.building.teamwork import RECONSIDERED, Lingering, Team, choose_fetch
 from block_construction.diagram.block_set import BODY_HEIGHT
-from block_construction.team.berth import find_berth
-from block_construction.team.board import TeamBoard
-from block_construction.team.lingering import Placement, is_done
-from block_construction.team.peers import Dock
-from block_construction.team.traffic import Traffic as TeamTraffic
 from rqt_mrta_py.hooks import ArmModel, Perception
 from rqt_mrta_py.model import Pose, Progress, Twist
 
-__all__ = ["Errand", "Helpers", "Move", "Team"]
+__all__ = ["Errand", "Helpers", "Move"]
 
 _MOST_MISSES = 3
 """So often a grip is tried anew."""
@@ -36,26 +32,8 @@ _LOOKS = 2
 """What is seen so often is believed."""
 _LONGEST_LOOK = 5.0
 """A builder that sees nothing for so long takes it that it has no eyes [s]."""
-_RECONSIDERED = 5.0
-"""Who waits thinks anew about where to fetch, or where to wait, after so long [s]."""
 _ARM_UP = 0.05
 """The arm is up within so much of its highest angle [rad]."""
-
-
-class Team(NamedTuple):
-    """What a builder needs that is not alone.
-
-    Attributes:
-        robot: its id.
-        board: knows the teammates.
-        traffic: plans ways among them.
-        tasks: of the build, by id.
-    """
-
-    robot: str
-    board: TeamBoard
-    traffic: TeamTraffic
-    tasks: Mapping[str, Placement]
 
 
 class Helpers(NamedTuple):
@@ -135,6 +113,7 @@ class Errand:
         self._block = felt.held if grip is not None else ""
         self._fetch: Optional[Fetch] = None
         self._journey: Optional[Union[Journey, TeamJourney]] = None
+        self._lingering: Optional[Lingering] = None
         self._chosen = -math.inf
         self._performer: Optional[Performer] = None
         self._misses = self._losses = self._looks = 0
@@ -181,12 +160,14 @@ class Errand:
             return self._finish(felt, Progress.DONE, "its slot is taken already")
         helpers, fetch = self._helpers, self._fetch
         waits = self._journey is not None and self._journey.is_waiting and helpers.team is not None
-        if fetch is None or (waits and felt.now - self._chosen >= _RECONSIDERED):
+        if fetch is None or (waits and felt.now - self._chosen >= RECONSIDERED):
             self._chosen, before = felt.now, fetch
             fetch = self._fetch = self._choose(perception, felt)
             self._journey = self._journey if fetch == before else None
         if self._journey is None:
             self._journey = self._set_out(fetch.facing)
+        if self._is_shut_in(self._journey, perception, felt):
+            return self._finish(felt, Progress.UNREACHABLE, "robots without anything to do leave no way")
         twist = self._drive(self._journey, perception, felt, fetch.claim)
         if twist is not None:
             return Move(twist, helpers.arm.highest, magnet=False)
@@ -200,6 +181,8 @@ class Errand:
             return self._finish(felt, Progress.DONE, "its slot is taken already")
         if self._journey is None:
             self._journey = self._set_out(slot.facing)
+        if self._is_shut_in(self._journey, perception, felt):
+            return self._finish(felt, Progress.UNREACHABLE, "robots without anything to do leave no way")
         twist = self._drive(self._journey, perception, felt, slot.claim)
         if twist is not None:
             return Move(twist, helpers.arm.highest, magnet=True)
@@ -213,18 +196,20 @@ class Errand:
     def _choose(self, perception: Perception, felt: Felt) -> Fetch:
         helpers, slot = self._helpers, self.slot
         if helpers.team is not None:
-            trip, fetches = team_trip(
-                helpers.team.board, helpers.team.traffic, slot, (perception, felt.pose), helpers.site.covered
-            )
-            if trip is not None:
-                return fetches[trip.supply]
+            found = choose_fetch(helpers.team, slot, perception, felt.pose, helpers.site)
+            if found is not None:
+                return found
         return nearest(helpers.traffic, felt.pose, slot, helpers.site.covered)
 
     def _set_out(self, block: Pose) -> Union[Journey, TeamJourney]:
         team = self._helpers.team
         if team is None:
             return Journey(self._helpers.traffic, self._helpers.board, stand_off(block))
-        return TeamJourney(team.board.driver(team.traffic), team.board, dock_before(block), block.yaw)
+        return TeamJourney(team.traffic, team.board, dock_before(block), block.yaw)
+
+    def _is_shut_in(self, journey: Union[Journey, TeamJourney], perception: Perception, felt: Felt) -> bool:
+        site = self._helpers.site
+        return isinstance(journey, TeamJourney) and journey.is_shut_in(perception, felt.pose, site.covered)
 
     def _drive(
         self, journey: Union[Journey, TeamJourney], perception: Perception, felt: Felt, claim: str
@@ -293,24 +278,16 @@ class Errand:
 
     def _linger(self, perception: Perception, felt: Felt) -> Move:
         """Make room for others, until there is more to do or another block waits for this one."""
-        team, site, here = self._helpers.team, self._helpers.site, (felt.pose.x, felt.pose.y)
+        team = self._helpers.team
         if team is None:
             return self._finish(felt, Progress.DONE, "")
-        peers = team.board.peers(perception)
-        if is_done((team.robot, self._state.task, here), team.tasks, site.standing, peers):
-            team.board.driver(team.traffic).stand(felt.now, here)
+        lingering = self._lingering = self._lingering or Lingering(team, self._state.task)
+        twist = lingering.step(perception, felt.pose, self._helpers.site)
+        if twist is None or lingering.journey is None:
             return self._finish(felt, Progress.DONE, "")
-        driver = team.board.driver(team.traffic)
-        at_rest = not driver.way or driver.way[-1].time <= felt.now
-        if self._journey is None or (at_rest and felt.now - self._chosen >= _RECONSIDERED):
-            self._chosen = felt.now
-            berth = find_berth(team.traffic, here, site.covered, peers) or here
-            self._journey = TeamJourney(driver, team.board, Dock(*berth, *berth))
-        journey = self._journey
-        twist = journey.step(perception, felt.pose, site.covered)
-        self._state.way, self._state.activity, self._state.action = journey.way, "idle", ""
-        self._state.goal = journey.goal if isinstance(journey, TeamJourney) else ()
-        return Move(twist or Twist(), self._helpers.arm.highest, magnet=False)
+        self._state.way, self._state.goal = lingering.journey.way, lingering.journey.goal
+        self._state.activity, self._state.action = "idle", ""
+        return Move(twist, self._helpers.arm.highest, magnet=False)
 
     def _miss(self, felt: Felt, block: Pose) -> Move:
         self._misses += 1

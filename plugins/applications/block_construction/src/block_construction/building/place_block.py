@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
-from block_construction.building.errand import Errand, Helpers, Team
+from block_construction.building.errand import Errand, Helpers
 from block_construction.building.eyes import DETECTIONS, Eyes
 from block_construction.building.gripping import CENTRED, Grip
 from block_construction.building.performer import Felt
@@ -17,6 +17,7 @@ from block_construction.building.site_map import SiteMap
 from block_construction.building.slot import KIND, BlockTask, block_task
 from block_construction.building.state import BuilderState, Teller
 from block_construction.building.team_journey import dock_before, team_trip
+from block_construction.building.teamwork import Team
 from block_construction.diagram.block_set import BODY_HEIGHT, PITCH
 from block_construction.team.board import TeamBoard
 from block_construction.team.lingering import Placement
