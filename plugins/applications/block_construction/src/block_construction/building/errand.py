@@ -32,6 +32,7 @@ _LOOKS = 2
 """What is seen so often is believed."""
 _LONGEST_LOOK = 5.0
 """A builder that sees nothing for so long takes it that it has no eyes [s]."""
+_SHUT_IN = "robots without anything to do leave no way"
 _ARM_UP = 0.05
 """The arm is up within so much of its highest angle [rad]."""
 
@@ -149,6 +150,8 @@ class Errand:
         fetch = self._travel.choose(perception, felt, supply)
         if fetch is None:
             return self._finish(felt, Progress.FAILED, str(supply))
+        if self._travel.is_shut_in(perception, felt):
+            return self._finish(felt, Progress.UNREACHABLE, _SHUT_IN)
         twist = self._travel.drive(perception, felt, fetch.facing, fetch.claim)
         if twist is not None:
             return Move(twist, self._helpers.arm.highest, magnet=False)
@@ -181,6 +184,8 @@ class Errand:
             return self._lose(felt, "on the way", None)
         if self._is_taken(seen):
             return self._finish(felt, Progress.DONE, "its slot is taken already")
+        if self._travel.is_shut_in(perception, felt):
+            return self._finish(felt, Progress.UNREACHABLE, _SHUT_IN)
         twist = self._travel.drive(perception, felt, slot.facing, slot.claim)
         if twist is not None:
             return Move(twist, helpers.arm.highest, magnet=True)

@@ -2,32 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Mapping, NamedTuple, Optional
+from typing import NamedTuple, Optional
 
 from block_construction.building.seams import Board, Traffic
 from block_construction.building.site_map import SiteMap
-from block_construction.team.board import TeamBoard
-from block_construction.team.lingering import Placement
-from block_construction.team.traffic import Traffic as TeamTraffic
+from block_construction.building.teamwork import Team
 from rqt_mrta_py.hooks import ArmModel
 
-__all__ = ["Helpers", "Team"]
-
-
-class Team(NamedTuple):
-    """What a builder needs that is not alone.
-
-    Attributes:
-        robot: its id.
-        board: knows the teammates.
-        traffic: plans ways among them.
-        tasks: of the build, by id.
-    """
-
-    robot: str
-    board: TeamBoard
-    traffic: TeamTraffic
-    tasks: Mapping[str, Placement]
+__all__ = ["Helpers"]
 
 
 class Helpers(NamedTuple):

@@ -9,7 +9,7 @@ from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tup
 from block_construction.building.errand import Errand
 from block_construction.building.eyes import DETECTIONS, Eyes
 from block_construction.building.gripping import CENTRED, Grip
-from block_construction.building.helpers import Helpers, Team
+from block_construction.building.helpers import Helpers
 from block_construction.building.performer import Felt
 from block_construction.building.pose_filter import PoseFilter
 from block_construction.building.procedures import TRAVEL_SPEED, assembly
@@ -19,6 +19,7 @@ from block_construction.building.site_map import SiteMap
 from block_construction.building.slot import KIND, BlockTask, block_task
 from block_construction.building.state import BuilderState, Teller
 from block_construction.building.team_journey import dock_before, team_trip
+from block_construction.building.teamwork import Team
 from block_construction.diagram.block_set import BODY_HEIGHT, PITCH
 from block_construction.team.board import TeamBoard
 from block_construction.team.lingering import Placement
@@ -36,7 +37,7 @@ from rqt_mrta_py.hooks import (
 )
 from rqt_mrta_py.model import Pose, Progress, Task, Twist
 
-__all__ = ["PlaceBlock", "place_block"]
+__all__ = ["PLANNED_SPEED", "PlaceBlock", "place_block", "posts_of"]
 
 ARM_STATE = Subscription("arm/state", "std_msgs/Float64", ("data",))
 MAGNET_STATE = Subscription("magnet/state", "std_msgs/String", ("data",))
@@ -52,7 +53,7 @@ ODOMETRY = Subscription(
 )
 
 _STALE = 2.0
-_PLANNED_SPEED = 0.97 * TRAVEL_SPEED
+PLANNED_SPEED = 0.97 * TRAVEL_SPEED
 """Ways are planned a little slower than the robot drives, so that it keeps up [m/s]."""
 _LYING = 0.10
 """Radius of a block that lies ready [m]."""
@@ -97,7 +98,7 @@ class PlaceBlock:
         self._setup = setup
         self._arm: ArmModel = arm
         alone = len(setup.team) < 2
-        self._board = board or (Solo() if alone else TeamBoard(setup.robot_id, setup.team, _PLANNED_SPEED, self.docks))
+        self._board = board or (Solo() if alone else TeamBoard(setup.robot_id, setup.team, PLANNED_SPEED, self.docks))
         self._slots: Dict[str, Tuple[Task, BlockTask]] = {}
         self._traffic: Dict[Tuple[Tuple[float, ...], float], Traffic] = {}
         self._site = SiteMap()
@@ -114,7 +115,7 @@ class PlaceBlock:
         self._twist = Twist()
         self._told: Dict[str, _Told] = {}
         self._placements: Dict[str, Placement] = {}
-        self._costs: Dict[str, Tuple[float, Optional[float]]] = {}
+        self._costs: Dict[str, Tuple[float, float]] = {}
         for task in setup.tasks:
             if task.kind == KIND:
                 # What makes no sense is told when it is asked whether the task is applicable.
@@ -219,9 +220,9 @@ class PlaceBlock:
         key = (slot.site, slot.arena)
         if key not in self._traffic:
             places = {fetch for _, other in self._slots.values() for fetch in other.supply}
-            posts = sorted({Post(fetch.x, fetch.y, _LYING) for fetch in places})
+            posts = posts_of([(fetch.x, fetch.y) for fetch in places])
             radius = self._setup.model.radius
-            self._traffic[key] = Traffic(slot.arena, slot.site, radius, _PLANNED_SPEED, PITCH, posts=posts)
+            self._traffic[key] = Traffic(slot.arena, slot.site, radius, PLANNED_SPEED, PITCH, posts=posts)
         return self._traffic[key]
 
     def _team(self, slot: BlockTask) -> Optional[Team]:
@@ -251,7 +252,7 @@ class PlaceBlock:
         if team is None:
             return None
         trip, _ = team_trip(team.board, team.traffic, slot, (perception, pose), self._site.covered)
-        cost = None if trip is None else trip.cost
+        cost = math.inf if trip is None else trip.cost
         self._costs[name] = (perception.now, cost)
         return cost
 
@@ -301,6 +302,11 @@ class PlaceBlock:
 def place_block(setup: BehaviourSetup) -> PlaceBlock:
     """Make the behaviour for one robot."""
     return PlaceBlock(setup)
+
+
+def posts_of(places: Sequence[Tuple[float, float]]) -> Tuple[Post, ...]:
+    """Give what is driven around where blocks lie ready [m]."""
+    return tuple(sorted({Post(x, y, _LYING) for x, y in places}))
 
 
 def _counted(heard: Optional[Heard]) -> Optional[Pose]:

@@ -11,8 +11,8 @@ from block_construction.building.routes import stand_off
 from block_construction.building.slot import BlockTask, Cell, Fetch
 from block_construction.team.board import TeamBoard
 from block_construction.team.choice import Trip, best_trip
-from block_construction.team.driver import Driver
-from block_construction.team.peers import Dock
+from block_construction.team.peers import Dock, Peer
+from block_construction.team.refuge import wanted_way
 from block_construction.team.timed_way import TimedPoint, TimedWay
 from block_construction.team.traffic import Traffic
 from rqt_mrta_py.hooks import Perception
@@ -25,6 +25,8 @@ _ARRIVED = 0.01
 """So near its end a way is over [m]."""
 _ASTRAY = 0.06
 """So far off its way a robot asks for another one [m]."""
+_GIVES_UP = 90.0
+"""Who has waited for so long looks whether there will be a way at all [s]."""
 _REACH = 0.40
 """From the middle of a block to that of the robot that holds or places it, at the least [m]."""
 
@@ -65,16 +67,18 @@ class TeamJourney:
         is_waiting: whether the robot waits for a way.
 
     Args:
-        driver: reserves ways.
+        traffic: knows ways.
         board: knows the teammates.
         dock: where to.
         yaw: heading to be turned to; None: stay as one is [rad].
     """
 
-    def __init__(self, driver: Driver, board: TeamBoard, dock: Dock, yaw: Optional[float] = None) -> None:
-        self._driver, self._board, self._dock, self._yaw = driver, board, dock, yaw
+    def __init__(self, traffic: Traffic, board: TeamBoard, dock: Dock, yaw: Optional[float] = None) -> None:
+        driver = board.driver(traffic)
+        self._driver, self._traffic, self._board, self._dock, self._yaw = driver, traffic, board, dock, yaw
         self.way: TimedWay = driver.way
         self.is_waiting = False
+        self._waits_since = math.inf
 
     def step(self, perception: Perception, pose: Pose, covered: FrozenSet[Cell]) -> Optional[Twist]:
         """Carry out one control tick.
@@ -93,6 +97,7 @@ class TeamJourney:
         self.way = driver.steer(now, (pose.x, pose.y), dock, covered, self._board.peers(perception))
         there = driver.is_there(now, dock)
         self.is_waiting = not there and now >= self.way[-1].time
+        self._waits_since = min(self._waits_since, now) if self.is_waiting else math.inf
         if there and math.hypot(dock.x - pose.x, dock.y - pose.y) <= _ARRIVED:
             return None
         yaw = pose.yaw if self._yaw is None else self._yaw
@@ -103,6 +108,15 @@ class TeamJourney:
         self.way, self.is_waiting = self._driver.stand(now, (pose.x, pose.y)), True
         point: TimedPoint = self.way[-1]
         return go_to(pose, Pose(point.x, point.y, pose.yaw if self._yaw is None else self._yaw), _LIMITS)
+
+    def is_shut_in(self, perception: Perception, pose: Pose, covered: FrozenSet[Cell]) -> bool:
+        """Tell whether the robot has waited long, and teammates that have nothing to do leave it no way."""
+        now = perception.now
+        if now - self._waits_since < _GIVES_UP:
+            return False
+        self._waits_since = now
+        me = Peer("", (TimedPoint(now, pose.x, pose.y),), goal=self._dock)
+        return not wanted_way(self._traffic, me, covered, self._board.peers(perception))
 
     @property
     def goal(self) -> Tuple[float, ...]:

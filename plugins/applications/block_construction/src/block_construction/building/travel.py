@@ -5,24 +5,19 @@ from __future__ import annotations
 import math
 from typing import Optional, Union
 
-from block_construction.building.helpers import Helpers, Team
+from block_construction.building.helpers import Helpers
 from block_construction.building.journey import Journey
 from block_construction.building.performer import Felt
 from block_construction.building.routes import nearest, stand_off
 from block_construction.building.slot import BlockTask, Fetch
 from block_construction.building.state import BuilderState
 from block_construction.building.supply import Supply
-from block_construction.building.team_journey import TeamJourney, dock_before, team_trip
-from block_construction.team.berth import find_berth
-from block_construction.team.lingering import is_done
-from block_construction.team.peers import Dock
+from block_construction.building.team_journey import TeamJourney, dock_before
+from block_construction.building.teamwork import RECONSIDERED, Lingering, Team, choose_fetch
 from rqt_mrta_py.hooks import Perception
 from rqt_mrta_py.model import Pose, Twist
 
 __all__ = ["Travel"]
-
-_RECONSIDERED = 5.0
-"""Who waits thinks anew about where to fetch, or where to wait, after so long [s]."""
 
 
 class Travel:
@@ -39,6 +34,7 @@ class Travel:
         self._slot = slot
         self._state = state
         self._journey: Optional[Union[Journey, TeamJourney]] = None
+        self._lingering: Optional[Lingering] = None
         self._chosen = -math.inf
 
     def end(self) -> None:
@@ -58,7 +54,7 @@ class Travel:
         """
         before = supply.fetch
         waits = self._journey is not None and self._journey.is_waiting and self._helpers.team is not None
-        if before is not None and not (waits and felt.now - self._chosen >= _RECONSIDERED):
+        if before is not None and not (waits and felt.now - self._chosen >= RECONSIDERED):
             return before
         self._chosen = felt.now
         fetch = supply.choose(self._best(perception, felt, supply))
@@ -90,6 +86,12 @@ class Travel:
         self._say(journey, "waiting" if journey.is_waiting else "driving")
         return twist
 
+    def is_shut_in(self, perception: Perception, felt: Felt) -> bool:
+        """Tell whether the robot has waited long, and teammates that have nothing to do leave it no way."""
+        journey = self._journey
+        covered = self._helpers.site.covered
+        return isinstance(journey, TeamJourney) and journey.is_shut_in(perception, felt.pose, covered)
+
     def linger(self, perception: Perception, felt: Felt, team: Team) -> Optional[Twist]:
         """Make room for others, until there is more to do or another block waits for this one.
 
@@ -101,35 +103,25 @@ class Travel:
         Returns:
             The velocities; None once it is time to end the task.
         """
-        site, here = self._helpers.site, (felt.pose.x, felt.pose.y)
-        peers, driver = team.board.peers(perception), team.board.driver(team.traffic)
-        if is_done((team.robot, self._state.task, here), team.tasks, site.standing, peers):
-            driver.stand(felt.now, here)
-            return None
-        at_rest = not driver.way or driver.way[-1].time <= felt.now
-        if self._journey is None or (at_rest and felt.now - self._chosen >= _RECONSIDERED):
-            self._chosen = felt.now
-            berth = find_berth(team.traffic, here, site.covered, peers) or here
-            self._journey = TeamJourney(driver, team.board, Dock(*berth, *berth))
-        twist = self._journey.step(perception, felt.pose, site.covered)
-        self._say(self._journey, "idle")
-        return twist or Twist()
+        lingering = self._lingering = self._lingering or Lingering(team, self._state.task)
+        twist = lingering.step(perception, felt.pose, self._helpers.site)
+        if lingering.journey is not None:
+            self._say(lingering.journey, "idle")
+        return twist
 
     def _best(self, perception: Perception, felt: Felt, supply: Supply) -> Optional[Fetch]:
         helpers, slot, places = self._helpers, self._slot, supply.open
         if helpers.team is not None:
-            trip, fetches = team_trip(
-                helpers.team.board, helpers.team.traffic, slot, (perception, felt.pose), helpers.site.covered
-            )
-            if trip is not None and fetches[trip.supply] in places:
-                return fetches[trip.supply]
+            found = choose_fetch(helpers.team, slot, perception, felt.pose, helpers.site)
+            if found is not None and found in places:
+                return found
         return nearest(helpers.traffic, felt.pose, slot, places, helpers.site.covered) if places else None
 
     def _set_out(self, block: Pose) -> Union[Journey, TeamJourney]:
         team = self._helpers.team
         if team is None:
             return Journey(self._helpers.traffic, self._helpers.board, stand_off(block))
-        return TeamJourney(team.board.driver(team.traffic), team.board, dock_before(block), block.yaw)
+        return TeamJourney(team.traffic, team.board, dock_before(block), block.yaw)
 
     def _say(self, journey: Union[Journey, TeamJourney], activity: str) -> None:
         self._state.way, self._state.activity, self._state.action = journey.way, activity, ""
