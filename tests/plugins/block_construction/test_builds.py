@@ -146,3 +146,28 @@ def test_builds_under_noise_stand_whole_only_with_every_block():
     assert {experiment.seed for experiment in laboratory.experiments} == {1, 2}
     (line,) = report.figures[0].charts[0].lines
     assert (line.x, line.y) == (pytest.approx((0.0, 0.8, 2.0, 3.0)), (100.0, 100.0, 100.0, 0.0))
+
+
+def test_robots_are_as_near_as_they_come_until_one_is_removed():
+    """1 m apart, then 0.5 m; once robot1 has been removed, robot2 may be where it stood."""
+    measure = measure_of(a_task())
+    assert measure.value(None)["nearest"] is None
+    say(measure, 0.0, "block1", "driving", 0.0)
+    for now, x in ((0.0, 1.0), (1.0, 0.5)):
+        fields = {"task": "block2", "activity": "driving", "pose/x": x, "pose/y": 0.0}
+        measure.hear(Heard("/robot2/builder_state", "", now, fields, robot="robot2"))
+    assert measure.value(None)["nearest"] == pytest.approx(0.5)
+    measure.hear(Heard("/mrta/robot_removed", "", 2.0, {"data": "robot1"}))
+    fields = {"task": "block2", "activity": "driving", "pose/x": 0.0, "pose/y": 0.0}
+    measure.hear(Heard("/robot2/builder_state", "", 3.0, fields, robot="robot2"))
+    assert measure.value(None)["nearest"] == pytest.approx(0.5)
+
+
+def test_who_makes_room_after_placing_is_at_no_work():
+    measure = measure_of(a_task())
+    say(measure, 0.0, "block1", "placing", 0.0)
+    say(measure, 1.0, "block1", "idle", 0.0)
+    say(measure, 2.0, "block1", "idle", 0.0)
+    say(measure, 3.0, "", "idle", 0.0)
+    found = measure.value(None)
+    assert found["fetching"]["seconds"] + found["placing"]["seconds"] == 1.0

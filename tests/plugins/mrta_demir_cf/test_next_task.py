@@ -113,3 +113,16 @@ def test_robot_that_imagines_passes_over_idle_neighbours_like_others() -> None:
     script = Script({"t": (4.0, 0.0)}, cost="rollout")
     script.step(script.hello("a", (4.0, 1.0)))
     assert kinds(script.wait(9.0, "a"))[0] is Kind.REQUEST
+
+
+def test_greedy_robot_takes_what_costs_it_least_whoever_is_nearer() -> None:
+    """By Eq. 1 t is left to a, which is nearer to it; so is u, and the robot waits for its turn."""
+    places = {"t": (4.0, 0.0), "u": (5.0, 0.0)}
+    script = Script(places, cost="greedy")
+    script.costs.update(t=5.0, u=4.5)
+    script.step(script.hello("a", (4.0, 1.0)))
+    (request,) = script.wait(1.0)
+    assert (request.task, request.cost) == ("u", 4.5)
+    script = Script(places, cost="eyh")
+    script.step(script.hello("a", (4.0, 1.0)))
+    assert script.wait(1.0) == []

@@ -44,13 +44,13 @@ def test_plugin_registers_its_parts(manager: PluginManager) -> None:
         (
             {"cost": "prim", "alpha": 1.1},
             [
-                "cost: must be eyh, uem, rollout or balanced under the objective time (got 'prim')",
+                "cost: must be eyh, uem, rollout, greedy or balanced under the objective time (got 'prim')",
                 "alpha: must be from 0 to 1 (got 1.1)",
             ],
         ),
         (
             {"cost": "balanced", "objective": "path"},
-            ["cost: must be eyh, uem or rollout under the objective path (got 'balanced')"],
+            ["cost: must be eyh, uem, rollout or greedy under the objective path (got 'balanced')"],
         ),
         ({"reply_timeout": 0.1}, ["reply_timeout: must be at least two cycles, 0.2 s (got 0.1)"]),
         ({"heartbeat": 3.0}, ["heartbeat: must be above 0 and at most 2.5 s (got 3)"]),

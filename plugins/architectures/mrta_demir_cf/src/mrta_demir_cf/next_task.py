@@ -29,7 +29,7 @@ import numpy as np
 
 from mrta_demir_cf.joint_plan import planned_route
 from mrta_demir_cf.mind import Mind
-from mrta_demir_cf.parameters import BALANCED, ROLLOUT
+from mrta_demir_cf.parameters import BALANCED, GREEDY, ROLLOUT
 from mrta_demir_cf.planning.rough_schedule import rough_schedule
 from mrta_demir_cf.planning.selection import select
 from mrta_demir_cf.robot_model import RobotModel
@@ -73,7 +73,9 @@ def find_next(mind: Mind) -> Optional[Choice]:
         schedule = planned_route(mind, [model for model in candidates if not model.is_claimed], rivals)
         choice = Choice(schedule[0], mind.held_cost(schedule[0])) if schedule else None
     else:
-        schedule = _rough_schedule(mind, candidates, rivals)
+        # Differs from the paper where the robot is greedy: Eq. 1 leaves nothing to those who are nearer.
+        greedy = mind.told.cost == GREEDY
+        schedule = candidates if greedy else _rough_schedule(mind, candidates, rivals)
         choice = _cheapest(mind, schedule)
     mind.schedule = tuple(_place(mind, model) for model in schedule)
     if choice is None and mind.mine is None and mind.told.looks_ahead and not mind.told.keeps_paths_short:

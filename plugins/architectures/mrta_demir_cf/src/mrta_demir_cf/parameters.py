@@ -12,6 +12,7 @@ from rqt_mrta_py.hooks import ParameterProblem, ParameterRangeError, read_fields
 
 __all__ = [
     "BALANCED",
+    "GREEDY",
     "ROLLOUT",
     "DemirCfParameters",
     "Objective",
@@ -24,6 +25,9 @@ ROLLOUT = "rollout"
 
 BALANCED = "balanced"
 """The value of ``cost`` by which robots keep to a plan for the whole team whose longest route is short."""
+
+GREEDY = "greedy"
+"""The value of ``cost`` by which a robot selects what costs itself least, wherever the others are."""
 
 # Longer, and the executions that rqt_mrta.xml monitors would not stay fresh from one to the next.
 _LONGEST_HEARTBEAT = 2.5
@@ -43,7 +47,8 @@ class DemirCfParameters:
     Attributes:
         rate: how often the robot thinks, from 2 to 100 [Hz].
         objective: see ``Objective``; decides when it gives way to what another requests.
-        cost: what it selects by: ``eyh`` (Eq. 2), ``uem`` (Eq. 3), ``rollout`` (see ``planning.rollout``) or, under the
+        cost: what it selects by: ``eyh`` (Eq. 2), ``uem`` (Eq. 3), ``rollout`` (see ``planning.rollout``), ``greedy``
+            (what costs itself least, whoever is nearer: where ways are short beside what tasks take) or, under the
             time objective only, ``balanced`` (see ``planning.balanced_plan``).
         alpha: weight of the distance in ``uem``, 0 to 1 [1].
         reply_timeout: T_reply, for how long it waits for bids; at least two cycles [s].
@@ -99,7 +104,7 @@ class DemirCfParameters:
         objectives = [objective.value for objective in Objective]
         check("rate", 2.0 <= self.rate <= 100.0, "from 2 to 100 Hz")
         check("objective", self.objective in objectives, " or ".join(objectives))
-        *known, last = (*_COSTS, ROLLOUT) if self.keeps_paths_short else (*_COSTS, ROLLOUT, BALANCED)
+        *known, last = (*_COSTS, ROLLOUT, GREEDY) if self.keeps_paths_short else (*_COSTS, ROLLOUT, GREEDY, BALANCED)
         accepted = f"{', '.join(known)} or {last} under the objective {self.objective}"
         check("cost", self.cost in (*known, last), accepted)
         check("alpha", 0.0 <= self.alpha <= 1.0, "from 0 to 1")

@@ -16,6 +16,7 @@ __all__ = ["BuildMeasure", "errors_of"]
 
 _STATES = Subscription(f"/@robot_id@/{BUILDER_STATE}", BUILDER_STATE_TYPE, ("task", "activity", "pose/x", "pose/y"))
 _BODIES = Subscription("/simulation/bodies", "rqt_mrta_py/Detections", ("detections",))
+_REMOVED = Subscription("/mrta/robot_removed", "std_msgs/String", ("data",))
 _STRIDE = 0.01
 """Ways are measured between spots so far apart [m]: noise of a robot that stands is no way."""
 _PAUSE = 2.0
@@ -68,27 +69,34 @@ class BuildMeasure:
         self._robots: Dict[str, _Robot] = {}
         self._fetching, self._placing = _Account(), _Account()
         self._waiting = 0.0
+        self._nearest = math.inf
         self._bodies: Sequence[Any] = ()
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Hear builders and the simulation, if anything is built."""
-        return (_STATES, _BODIES) if self._slots else ()
+        return (_STATES, _BODIES, _REMOVED) if self._slots else ()
 
     def hear(self, heard: Heard) -> None:
         """Take in one message."""
         fields = heard.fields
+        if heard.topic == _REMOVED.topic:
+            self._robots.pop(str(fields["data"]), None)
+            return
         if not heard.robot:
             self._bodies = fields["detections"]
             return
         here = (fields["pose/x"], fields["pose/y"])
         robot = self._robots.setdefault(heard.robot, _Robot())
         elapsed = heard.receipt - robot.at
-        if robot.task and elapsed <= _PAUSE:
+        # Who has placed its block and makes room is at no work.
+        if robot.task and robot.activity != "idle" and elapsed <= _PAUSE:
             account = self._placing if robot.has_block else self._fetching
             account.seconds += elapsed
             if robot.activity == "waiting":
                 self._waiting += elapsed
         self._drive(robot, here)
+        gaps = [math.dist(here, other.spot) for other in self._robots.values() if other is not robot]
+        self._nearest = min([self._nearest, *(gap for gap in gaps if not math.isnan(gap))])
         task, activity = fields["task"], fields["activity"]
         if task != robot.task:
             robot.has_block = activity == "placing"
@@ -107,8 +115,9 @@ class BuildMeasure:
         Returns:
             ``blocks``: how many there are to be; ``placed``: how many lie in their slots in the end; ``mean_error`` and
             ``max_error``: of those, from the middles of their slots [m], None where there are none; ``fetching`` and
-            ``placing``: ``seconds`` and ``metres`` of all robots together; ``waiting``: of these, so many seconds. None
-            where nothing is built.
+            ``placing``: ``seconds`` and ``metres`` of all robots together; ``waiting``: of these, so many seconds;
+            ``nearest``: how near the middles of two robots came to each other [m], None for one robot. None where
+            nothing is built.
         """
         if not self._slots:
             return None
@@ -125,6 +134,7 @@ class BuildMeasure:
             "max_error": max(errors, default=None),
             **accounts,
             "waiting": self._waiting,
+            "nearest": None if math.isinf(self._nearest) else self._nearest,
         }
 
     def _drive(self, robot: _Robot, here: Tuple[float, float]) -> None:

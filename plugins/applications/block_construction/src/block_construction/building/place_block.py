@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from contextlib import suppress
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
-from block_construction.building.errand import Errand, Helpers
+from block_construction.building.errand import Errand
 from block_construction.building.eyes import DETECTIONS, Eyes
 from block_construction.building.gripping import CENTRED, Grip
+from block_construction.building.helpers import Helpers
 from block_construction.building.performer import Felt
 from block_construction.building.pose_filter import PoseFilter
 from block_construction.building.procedures import TRAVEL_SPEED, assembly
@@ -17,7 +18,12 @@ from block_construction.building.seams import Board, Solo
 from block_construction.building.site_map import SiteMap
 from block_construction.building.slot import KIND, BlockTask, block_task
 from block_construction.building.state import BuilderState, Teller
+from block_construction.building.team_journey import dock_before, team_trip
+from block_construction.building.teamwork import Team
 from block_construction.diagram.block_set import BODY_HEIGHT, PITCH
+from block_construction.team.board import TeamBoard
+from block_construction.team.lingering import Placement
+from block_construction.team.peers import Dock
 from block_construction.team.traffic import Post, Traffic
 from rqt_mrta_py.hooks import (
     ArmModel,
@@ -31,7 +37,7 @@ from rqt_mrta_py.hooks import (
 )
 from rqt_mrta_py.model import Pose, Progress, Task, Twist
 
-__all__ = ["PlaceBlock", "place_block"]
+__all__ = ["PLANNED_SPEED", "PlaceBlock", "place_block", "posts_of"]
 
 ARM_STATE = Subscription("arm/state", "std_msgs/Float64", ("data",))
 MAGNET_STATE = Subscription("magnet/state", "std_msgs/String", ("data",))
@@ -47,10 +53,12 @@ ODOMETRY = Subscription(
 )
 
 _STALE = 2.0
-_PLANNED_SPEED = 0.97 * TRAVEL_SPEED
+PLANNED_SPEED = 0.97 * TRAVEL_SPEED
 """Ways are planned a little slower than the robot drives, so that it keeps up [m/s]."""
 _LYING = 0.10
 """Radius of a block that lies ready [m]."""
+_COST_HOLDS = 2.0
+"""What a task costs among teammates is not reckoned anew before so long [s]."""
 _REPEAT = 0.5
 """What arm and magnet were told is told again after so long, for messages may be lost [s]."""
 _SAME_SPEED = 2e-4
@@ -89,7 +97,8 @@ class PlaceBlock:
             raise ValueError(f"robot model {setup.model.name}: tasks of kind {KIND} need a robot with an arm")
         self._setup = setup
         self._arm: ArmModel = arm
-        self._board = board or Solo()
+        alone = len(setup.team) < 2
+        self._board = board or (Solo() if alone else TeamBoard(setup.robot_id, setup.team, PLANNED_SPEED, self.docks))
         self._slots: Dict[str, Tuple[Task, BlockTask]] = {}
         self._traffic: Dict[Tuple[Tuple[float, ...], float], Traffic] = {}
         self._site = SiteMap()
@@ -105,6 +114,8 @@ class PlaceBlock:
         self._commands: Sequence[Command] = _STILL
         self._twist = Twist()
         self._told: Dict[str, _Told] = {}
+        self._placements: Dict[str, Placement] = {}
+        self._costs: Dict[str, Tuple[float, float]] = {}
         for task in setup.tasks:
             if task.kind == KIND:
                 # What makes no sense is told when it is asked whether the task is applicable.
@@ -137,6 +148,8 @@ class PlaceBlock:
         traffic, covered = self._traffic_of(slot), self._site.covered
         if self._grip_for(slot, _held(perception)) is not None:
             return way_length(traffic, pose, slot, covered, None)
+        if isinstance(self._board, TeamBoard):
+            return self._cost_in_team(task.id, slot, perception, pose)
         lengths = [way_length(traffic, pose, slot, covered, fetch) for fetch in slot.supply]
         return min((length for length in lengths if length is not None), default=None)
 
@@ -164,12 +177,12 @@ class PlaceBlock:
         errand = self._errand
         if errand is None:
             slot = self._slot(task)
-            helpers = Helpers(self._arm, self._traffic_of(slot), self._board, site)
+            helpers = Helpers(self._arm, self._traffic_of(slot), self._board, site, self._team(slot))
             errand = self._errand = Errand(helpers, slot, state, felt, self._grip_for(slot, felt.held))
         move = errand.step(perception, felt, seen)
         self._holding = (felt.held, errand.slot.units, errand.grip) if felt.held else ("", 0, None)
         if move.progress is not Progress.RUNNING:
-            state.task, state.activity, state.action, state.way = "", "idle", "", ()
+            state.task, state.activity, state.action, state.way, state.goal = "", "idle", "", (), ()
             self._errand = None
         state.placed, state.missing = frozenset(site.placed), frozenset(site.missing)
         self._tell("arm", move.arm, _SAME_ANGLE, now, messages)
@@ -207,10 +220,41 @@ class PlaceBlock:
         key = (slot.site, slot.arena)
         if key not in self._traffic:
             places = {fetch for _, other in self._slots.values() for fetch in other.supply}
-            posts = sorted({Post(fetch.x, fetch.y, _LYING) for fetch in places})
+            posts = posts_of([(fetch.x, fetch.y) for fetch in places])
             radius = self._setup.model.radius
-            self._traffic[key] = Traffic(slot.arena, slot.site, radius, _PLANNED_SPEED, PITCH, posts=posts)
+            self._traffic[key] = Traffic(slot.arena, slot.site, radius, PLANNED_SPEED, PITCH, posts=posts)
         return self._traffic[key]
+
+    def _team(self, slot: BlockTask) -> Optional[Team]:
+        if not isinstance(self._board, TeamBoard):
+            return None
+        if len(self._placements) != len(self._slots):
+            numbers = {name: each.block for name, (_, each) in self._slots.items()}
+            self._placements = {
+                name: Placement(
+                    each.block,
+                    tuple([numbers[before] for before in task.predecessors if before in numbers]),
+                    dock_before(each.facing),
+                )
+                for name, (task, each) in self._slots.items()
+            }
+        return Team(self._setup.robot_id, self._board, self._traffic_of(slot), self._placements)
+
+    def docks(self) -> Mapping[str, Dock]:
+        """Give from where blocks are placed, by the tasks' ids."""
+        return {name: placement.dock for name, placement in self._placements.items()}
+
+    def _cost_in_team(self, name: str, slot: BlockTask, perception: Perception, pose: Pose) -> Optional[float]:
+        known = self._costs.get(name)
+        if known is not None and 0.0 <= perception.now - known[0] < _COST_HOLDS:
+            return known[1]
+        team = self._team(slot)
+        if team is None:
+            return None
+        trip, _ = team_trip(team.board, team.traffic, slot, (perception, pose), self._site.covered)
+        cost = math.inf if trip is None else trip.cost
+        self._costs[name] = (perception.now, cost)
+        return cost
 
     def _grip_for(self, slot: BlockTask, held: str) -> Optional[Grip]:
         """Give how the robot holds a block that belongs into the slot; None if it holds none."""
@@ -258,6 +302,11 @@ class PlaceBlock:
 def place_block(setup: BehaviourSetup) -> PlaceBlock:
     """Make the behaviour for one robot."""
     return PlaceBlock(setup)
+
+
+def posts_of(places: Sequence[Tuple[float, float]]) -> Tuple[Post, ...]:
+    """Give what is driven around where blocks lie ready [m]."""
+    return tuple(sorted({Post(x, y, _LYING) for x, y in places}))
 
 
 def _counted(heard: Optional[Heard]) -> Optional[Pose]:

@@ -27,6 +27,7 @@ class BuilderState:
         activity: idle, waiting, driving, fetching or placing.
         action: of the procedure; empty if none.
         way: that is reserved.
+        goal: while it waits for a way: where it wants to stand, and the place ahead of that: x, y, x, y [m].
         claims: since when what is claimed [s].
         placed, missing: numbers of blocks; see SiteMap.
     """
@@ -35,6 +36,7 @@ class BuilderState:
     activity: str = "idle"
     action: str = ""
     way: TimedWay = ()
+    goal: Tuple[float, ...] = ()
     claims: Dict[str, float] = field(default_factory=dict)
     placed: FrozenSet[int] = frozenset()
     missing: FrozenSet[int] = frozenset()
@@ -50,6 +52,7 @@ class BuilderState:
             "way_time": [point.time for point in self.way],
             "way_x": [point.x for point in self.way],
             "way_y": [point.y for point in self.way],
+            "goal": list(self.goal),
             "claims": list(self.claims),
             "claimed_at": list(self.claims.values()),
             "placed": sorted(self.placed),
@@ -60,7 +63,7 @@ class BuilderState:
     def key(self) -> Tuple[object, ...]:
         """Give what is told at once when it changes."""
         return (
-            *(self.task, self.activity, self.action, self.way),
+            *(self.task, self.activity, self.action, self.way, self.goal),
             *(tuple(self.claims.items()), self.placed, self.missing),
         )
 

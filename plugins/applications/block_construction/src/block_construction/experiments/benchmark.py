@@ -18,6 +18,7 @@ from block_construction.experiments.plans import measure_plan_rates, measure_pla
 from block_construction.experiments.rates import measure_rates
 from block_construction.experiments.remembered import measure_memory
 from block_construction.experiments.structures import measure_structures
+from block_construction.experiments.teams import measure_teams
 from block_construction.experiments.throughput import measure_throughput
 from rqt_mrta_py.hooks import BenchmarkReport, Laboratory
 
@@ -35,6 +36,7 @@ PARTS: Dict[str, Part] = {
     "plan-rates": Part("execution plans by PLA's rate and memory (table 8)", measure_plan_rates),
     "builds": Part("structures put up by one robot (tables 10, 12, 14, 16)", measure_builds),
     "noise": Part("builds under errors of poses (figure 48)", measure_noise),
+    "teams": Part("a tower put up by teams, with a robot lost, and under ALLIANCE", measure_teams),
     "throughput": Part("iterations a second", measure_throughput),
 }
 """All parts, by name, in the order of measuring."""

@@ -53,6 +53,7 @@ class Traffic:
         horizon: how far ahead is planned [s].
 
     Attributes:
+        side: of the arena [m].
         clearance: kept between the middles of two robots [m].
     """
 
@@ -68,13 +69,13 @@ class Traffic:
         margin: float = 0.04,
         horizon: float = 300.0,
     ) -> None:
-        self.clearance = 2.0 * radius + margin
+        self.side, self.clearance = side, 2.0 * radius + margin
         self._speed = speed
         self._floor = Floor(side, site, radius, pitch, posts)
         unit = self._floor.lattice.cell / (STRAIGHT * speed)
         self._unit, self._most = unit, max(1, math.ceil(horizon / unit))
         self._tree = lru_cache(maxsize=512)(self._grow)
-        self._length = lru_cache(maxsize=4096)(self._measure)
+        self._corners = lru_cache(maxsize=4096)(self._find_corners)
 
     def plan(
         self,
@@ -110,51 +111,78 @@ class Traffic:
         found = self._search(case)
         return None if found is None else self._quick(self._smooth(found, case), case)
 
-    def length(self, start: _Place, goal: _Place, covered: Collection[Tuple[int, int]]) -> Optional[float]:
-        """Measure the shortest way of a robot that is alone [m]; None if there is none.
+    def has_room(self, place: _Place, covered: Collection[Tuple[int, int]]) -> bool:
+        """Tell whether walls and blocks leave a robot room at a place."""
+        return self._floor.has_room(place, frozenset(covered))
+
+    def length(
+        self, start: _Place, goal: _Place, covered: Collection[Tuple[int, int]], standing: Collection[_Place] = ()
+    ) -> Optional[float]:
+        """Measure the shortest way of a robot while nobody else moves [m]; None if there is none.
 
         Args:
             start: where it begins [m].
             goal: where it ends [m].
             covered: columns and rows of the structure that blocks lie on, from 1.
+            standing: where others stand [m].
         """
-        return self._length(start, goal, frozenset(covered))
+        corners = self.corners(start, goal, covered, standing)
+        if corners is None:
+            return None
+        return sum(math.dist(one, other) for one, other in zip(corners, corners[1:]))
 
-    def _measure(self, start: _Place, goal: _Place, covered: _Covered) -> Optional[float]:
+    def corners(
+        self, start: _Place, goal: _Place, covered: Collection[Tuple[int, int]], standing: Collection[_Place] = ()
+    ) -> Optional[Tuple[_Place, ...]]:
+        """Give the corners of the way that ``length`` measures, its ends included."""
+        return self._corners(start, goal, frozenset(covered), tuple(sorted(standing)))
+
+    def _find_corners(
+        self, start: _Place, goal: _Place, covered: _Covered, standing: Tuple[_Place, ...]
+    ) -> Optional[Tuple[_Place, ...]]:
         if not self._floor.has_room(goal, covered):
             return None
-        if self._floor.is_open(start, goal, covered):
-            return math.dist(start, goal)
-        away, before = self._tree(goal, covered)
+        if self._is_open(start, goal, covered, standing):
+            return start, goal
+        away, before = self._tree(goal, covered, standing)
         first = [(math.dist(start, self._floor.place_of(n)) + away[n], n) for n in self._floor.near(start, covered)]
         least, node = min(first, default=(math.inf, -1))
         if not math.isfinite(least):
             return None
-        corners = [start]
+        points = [start]
         while node >= 0:
-            corners.append(self._floor.place_of(node))
+            points.append(self._floor.place_of(node))
             node = int(before[node])
-        corners.append(goal)
-        length, at = 0.0, 0
-        while at < len(corners) - 1:
-            after = len(corners) - 1
-            while after > at + 1 and not self._floor.is_open(corners[at], corners[after], covered):
+        points.append(goal)
+        kept, at = [start], 0
+        while at < len(points) - 1:
+            after = len(points) - 1
+            while after > at + 1 and not self._is_open(points[at], points[after], covered, standing):
                 after = at + max(1, (after - at) * 3 // 4)
-            length += math.dist(corners[at], corners[after])
+            kept.append(points[after])
             at = after
-        return length
+        return tuple(kept)
 
-    def _grow(self, goal: _Place, covered: _Covered) -> Tuple[Any, Any]:
+    def _is_open(self, start: _Place, goal: _Place, covered: _Covered, standing: Tuple[_Place, ...]) -> bool:
+        one, other = TimedPoint(0.0, *start), TimedPoint(1.0, *goal)
+        return self._floor.is_open(start, goal, covered) and all(
+            is_apart(one, other, (TimedPoint(0.0, *place),), self.clearance) for place in standing
+        )
+
+    def _grow(self, goal: _Place, covered: _Covered, standing: Tuple[_Place, ...]) -> Tuple[Any, Any]:
         """Give each node's shortest distance to a goal, and the next node on the way there, by Dijkstra's algorithm."""
         try:
             from scipy.sparse import csgraph, csr_array
         except ImportError as error:
             raise MissingDependencyError("ways in the arena: SciPy is not installed; install scipy") from error
-        lattice, edges = self._floor.lattice, self._floor.edges(covered)
+        lattice = self._floor.lattice
+        clear = np.ones(len(lattice.places), dtype=np.bool_)
+        for place in standing:
+            clear &= np.hypot(*(lattice.places - np.array(place)).T) >= self.clearance - _SLACK
         size = len(lattice.places)
         starts, ends, lengths = [], [], []
-        for move, allowed in enumerate(edges):
-            nodes = np.flatnonzero(allowed)
+        for move, allowed in enumerate(self._floor.edges(covered)):
+            nodes = np.flatnonzero(allowed & clear & np.roll(clear, -lattice.step(move)))
             starts.append(nodes)
             ends.append(nodes + lattice.step(move))
             lengths.append(np.full(len(nodes), lattice.cell * (1.0 if move < 4 else math.sqrt(2.0))))

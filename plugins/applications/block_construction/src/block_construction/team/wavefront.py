@@ -210,13 +210,13 @@ class Wavefront:
         """Tell which nodes are free of others at a step."""
         step = min(step, self._at_rest)
         if step not in self._masks:
-            chunk = np.arange(step, step + _CHUNK)
+            chunk = np.arange(step, max(step, min(step + _CHUNK - 1, self._at_rest)) + 1)
             times = np.asarray(self._steps.now + chunk * self._steps.unit, dtype=np.float64)
-            free = np.repeat(self._free[None, :], _CHUNK, axis=0)
+            free = np.repeat(self._free[None, :], len(chunk), axis=0)
             for way in self._others:
                 there = places_at(way, times)
-                gap = self._lattice.places[None, :, :] - there[:, None, :]
-                free &= (gap**2).sum(axis=2) >= (self._clearance - _SLACK) ** 2
+                dx, dy = (self._lattice.places[:, axis] - there[:, axis, None] for axis in (0, 1))
+                free &= dx * dx + dy * dy >= (self._clearance - _SLACK) ** 2
             self._masks.update(zip(chunk.tolist(), free))
         return self._masks[step]
 
