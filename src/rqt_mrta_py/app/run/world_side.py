@@ -100,7 +100,9 @@ class WorldSide:
             order = order_of(event, self._tasks.get(event.task or ""), now)
             if order is not None:
                 self._operator_node.publish(order, now)
-                self.end.take_in(order.fields["task_id"], order.fields["progress"], now)
+                # An operator speaks of tasks, and of robots that were removed.
+                if "task_id" in order.fields:
+                    self.end.take_in(order.fields["task_id"], order.fields["progress"], now)
 
     def tell(self, tick: int, now: float) -> None:
         """Tell the time, where loose bodies are, and what sensors measure; arguments as of ``happen``."""
