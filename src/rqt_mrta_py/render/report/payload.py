@@ -243,19 +243,22 @@ def _bodies(bodies: Sequence[BodyTrack], clock: _Clock, resolution: float) -> Li
     kinds = {kind: number for number, kind in enumerate(sorted({body.kind for body in bodies}))}
     told: List[Mapping[str, Any]] = []
     for body in bodies:
-        places = [place for place in body.places if abs(place[1]) < _FARTHEST and abs(place[2]) < _FARTHEST]
+        places = [place for place in body.places if abs(place.x) < _FARTHEST and abs(place.y) < _FARTHEST]
         if places:
             told.append(
                 {
                     "id": words(body.id),
                     "kind": words(body.kind),
                     "colour": kinds[body.kind] % len(BODY_COLOURS),
+                    "length": round(body.length, 3),
                     "width": round(body.width, 3),
                     "places": packed(
-                        [clock(place[0]) for place in places],
-                        [round(place[1] / resolution) for place in places],
-                        [round(place[2] / resolution) for place in places],
-                        [int(place[3]) for place in places],
+                        [clock(place.time) for place in places],
+                        [round(place.x / resolution) for place in places],
+                        [round(place.y / resolution) for place in places],
+                        [int(place.held) for place in places],
+                        [round(math.degrees(place.yaw)) for place in places],
+                        [round(min(place.lift, _FARTHEST) / resolution) for place in places],
                     ),
                 }
             )

@@ -54,7 +54,7 @@ for (const each of allocations) {
   robots[each.robot].held.push(each);
   tasks[each.task].held.push(each);
 }
-const bodies = data.bodies.map((body) => ({...body, places: unpack(body.places, 4)}));
+const bodies = data.bodies.map((body) => ({...body, places: unpack(body.places, 6)}));
 const panels = data.panels.map((panel) => ({
   ...panel,
   groups: panel.groups.map((group) => ({

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 from block_construction.building.errand import Errand, Helpers
@@ -97,11 +98,10 @@ class PlaceBlock:
         self._arm: ArmModel = arm
         alone = len(setup.team) < 2
         self._board = board or (Solo() if alone else TeamBoard(setup.robot_id, setup.team, PLANNED_SPEED, self.docks))
-        self._slots = {task.id: (task, block_task(task)) for task in setup.tasks if task.kind == KIND}
+        self._slots: Dict[str, Tuple[Task, BlockTask]] = {}
         self._traffic: Dict[Tuple[Tuple[float, ...], float], Traffic] = {}
         self._site = SiteMap()
-        self._site.slots.update({slot.block: slot for _, slot in self._slots.values()})
-        self._numbers = {slot.block: name for name, (_, slot) in self._slots.items()}
+        self._numbers: Dict[int, str] = {}
         self._filter = PoseFilter()
         self._odometry: Optional[Heard] = None
         self._counted: Optional[Pose] = None
@@ -115,6 +115,11 @@ class PlaceBlock:
         self._told: Dict[str, _Told] = {}
         self._placements: Dict[str, Placement] = {}
         self._costs: Dict[str, Tuple[float, float]] = {}
+        for task in setup.tasks:
+            if task.kind == KIND:
+                # What makes no sense is told when it is asked whether the task is applicable.
+                with suppress(ValueError):
+                    self._slot(task)
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Hear arm, magnet, odometry and detector, and what others say."""
@@ -126,9 +131,7 @@ class PlaceBlock:
         Raises:
             ValueError: the task's data make no sense, or the arm does not reach its level; says why.
         """
-        slot = self._slot(task)
-        for height in (BODY_HEIGHT / 2.0, slot.z):
-            assembly(self._arm, height, CENTRED.ahead)
+        self._slot(task)
         return perception.pose is not None and all(
             _is_fresh(perception, topic) for topic in (ARM_STATE.topic, MAGNET_STATE.topic)
         )
@@ -203,7 +206,10 @@ class PlaceBlock:
         """Read a task, once; raises ValueError as of ``applicable``."""
         known = self._slots.get(task.id)
         if known is None or known[0] is not task:
-            known = self._slots[task.id] = (task, block_task(task))
+            slot = block_task(task)
+            for height in (BODY_HEIGHT / 2.0, slot.z):
+                assembly(self._arm, height, CENTRED.ahead)
+            known = self._slots[task.id] = (task, slot)
             self._site.slots[known[1].block] = known[1]
             self._numbers[known[1].block] = task.id
         return known[1]

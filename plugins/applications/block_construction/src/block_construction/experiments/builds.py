@@ -8,17 +8,8 @@ from team_measures.statistics.tables import rounded
 
 from block_construction.experiments.part import Options
 from block_construction.experiments.published_builds import BUILDS, Build
-from rqt_mrta_py.hooks import (
-    BenchmarkReport,
-    BenchmarkTable,
-    Chart,
-    Experiment,
-    Figure,
-    Laboratory,
-    Line,
-    LineStyle,
-    Trial,
-)
+from block_construction.pictures.bars import Handling, handling_bars
+from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Experiment, Laboratory, Trial
 
 __all__ = ["APPLICATION", "build_of", "measure_builds"]
 
@@ -71,7 +62,7 @@ def measure_builds(options: Options, laboratory: Laboratory) -> BenchmarkReport:
             "The station is a stand-in of 32 blocks and faults, as many as the source's.",
         ),
     )
-    return BenchmarkReport((table,), tuple([_figure(case, build) for case, build in zip(cases, builds)]))
+    return BenchmarkReport((table,), (handling_bars([_handling(case, build) for case, build in zip(cases, builds)]),))
 
 
 def _row(case: _Case, build: Mapping[str, Any]) -> Tuple[Any, ...]:
@@ -93,27 +84,14 @@ def _row(case: _Case, build: Mapping[str, Any]) -> Tuple[Any, ...]:
     )
 
 
-def _figure(case: _Case, build: Mapping[str, Any]) -> Figure:
-    """Draw fetching and placing as bars, beside the source's where there are any."""
+def _handling(case: _Case, build: Mapping[str, Any]) -> Handling:
+    fetching, placing = build["fetching"], build["placing"]
     source = BUILDS.get(case.label)
-    ours = [[build[part][unit] for part in ("fetching", "placing")] for unit in ("seconds", "metres")]
-    ours[0] = [seconds / 60.0 for seconds in ours[0]]
-    theirs = (
-        [None, None]
-        if source is None
-        else [[source.fetching_minutes, source.placing_minutes], [source.fetching, source.placing]]
+    return Handling(
+        case.label,
+        fetching["seconds"] / 60.0,
+        placing["seconds"] / 60.0,
+        fetching["metres"],
+        placing["metres"],
+        None if source is None else source[:4],
     )
-    charts = tuple(
-        Chart(_bars(here, there), label, x_ticks=("fetching", "placing", "together"), bottom=0.0)
-        for here, there, label in zip(ours, theirs, ("time [min]", "way [m]"))
-    )
-    name = "build_" + "".join(letter if letter.isalnum() else "_" for letter in case.label)
-    return Figure(name, f"{case.label}: {build['placed']} of {build['blocks']} blocks placed", "", charts)
-
-
-def _bars(ours: List[float], theirs: Optional[List[float]]) -> Tuple[Line, ...]:
-    x = (0.0, 1.0, 2.0)
-    lines = [Line("here", x, (*ours, sum(ours)), style=LineStyle.BARS)]
-    if theirs is not None:
-        lines.append(Line("source", x, (*theirs, sum(theirs)), style=LineStyle.BARS))
-    return tuple(lines)

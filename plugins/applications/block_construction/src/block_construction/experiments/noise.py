@@ -5,12 +5,13 @@ from __future__ import annotations
 from typing import Any, Dict, List, Tuple
 
 from team_measures.statistics.estimates import Estimate, estimated_mean, estimated_share
-from team_measures.statistics.tables import MEANS, SHARES, estimate_line, estimate_text, share_text
+from team_measures.statistics.tables import MEANS, SHARES, estimate_text, share_text
 
 from block_construction.experiments.builds import APPLICATION, build_of
 from block_construction.experiments.part import Options
 from block_construction.experiments.published_builds import NOISE_LIMITS
-from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Chart, Experiment, Figure, Laboratory, Trial
+from block_construction.pictures.noise_curve import NoisyBuilds, noise_curve
+from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Experiment, Laboratory, Trial
 
 __all__ = ["measure_noise"]
 
@@ -60,9 +61,11 @@ def measure_noise(options: Options, laboratory: Laboratory) -> BenchmarkReport:
             MEANS,
         ),
     )
-    line = estimate_line("stand whole", [100.0 * noise for noise in _NOISES], whole)
-    chart = Chart((line,), "share of builds", bottom=0.0, top=1.05)
-    return BenchmarkReport((table,), (Figure("noise", f"Builds of the {structure}", "error up to [cm]", (chart,)),))
+    curve = noise_curve(
+        f"Builds of the {structure} by one robot",
+        [NoisyBuilds(noise, sum(map(_stands, found[noise])), seeds) for noise in _NOISES],
+    )
+    return BenchmarkReport((table,), (curve,))
 
 
 def _stands(trial: Trial) -> bool:
