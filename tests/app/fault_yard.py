@@ -129,7 +129,11 @@ def _events(chance: random.Random, robots: Sequence[str], tasks: Sequence[str], 
     # Whatever appears later must appear, or nobody would say that it was not there.
     never = [task for task in later if not any(event.get("task") == task for event in events)]
     appears = {"time": DURATION - 0.5, "kind": Kind.TASK_APPEARS.value}
-    return [*events, *({**appears, "task": task} for task in never)]
+    events += [{**appears, "task": task} for task in never]
+    if chance.random() < 0.3:
+        # For good, so after all that might happen to it.
+        events.append({"time": DURATION - 0.4, "kind": Kind.ROBOT_REMOVED.value, "robot": chance.choice(robots)})
+    return events
 
 
 def _event(chance: random.Random, kind: Kind, robots: Sequence[str], tasks: Sequence[str]) -> Event:

@@ -28,6 +28,7 @@ EVENTS: List[Tuple[float, str, str, str, str]] = [
     (8.0, "task_withdrawn", "", "wander", ""),
     (9.0, "robot_stops", "robot3", "", ""),
     (10.0, "robot_returns", "robot3", "", ""),
+    (11.0, "robot_removed", "robot5", "", ""),
 ]
 
 
@@ -95,6 +96,14 @@ def test_operators_orders_are_given_at_their_times(troubled: Outputs) -> None:
         (pytest.approx(6.0), "border_protection", "robot2", reassigned, False),
         (pytest.approx(8.0), "wander", "", withdrawn, False),
     ]
+
+
+def test_operator_tells_who_was_taken_off_the_floor_and_it_says_nothing_more(troubled: Outputs) -> None:
+    told = heard(troubled, "/mrta/robot_removed")
+    assert told == [(pytest.approx(11.0), "/operator", {"data": "robot5"})]
+    poses = [time for time, _, _ in heard(troubled, "/robot5/pose")]
+    assert poses[-1] == pytest.approx(10.9)
+    assert heard(troubled, "/robot4/pose")[-1][0] == pytest.approx(12.0)
 
 
 def test_task_that_appears_later_is_in_the_books_from_then_on(troubled: Outputs) -> None:

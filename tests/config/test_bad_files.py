@@ -76,9 +76,9 @@ SAID: Dict[str, Tuple[str, ...]] = {
     ),
     "scenario_arena_inside_out.yaml": ("1: arena/max_x: must be above min_x, which is 0 m (got -4)",),
     "scenario_event_misspelt.yaml": (
-        "5: events[0]/kind: must be one of robot_stops, robot_returns, robot_sticks, robot_comes_free, robot_slows, "
-        "robot_clock_shifts, radio_fails, radio_returns, radio_partitions, radio_heals, radio_changes, task_appears, "
-        "task_withdrawn, task_reassigned (got 'robot_stop')",
+        "5: events[0]/kind: must be one of robot_stops, robot_returns, robot_removed, robot_sticks, robot_comes_free, "
+        "robot_slows, robot_clock_shifts, radio_fails, radio_returns, radio_partitions, radio_heals, radio_changes, "
+        "task_appears, task_withdrawn, task_reassigned (got 'robot_stop')",
         "5: events[0]/time: must be a number from 0 s (got -1)",
         "6: events[1]/robot: is missing; give a text",
     ),

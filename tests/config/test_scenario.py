@@ -230,6 +230,7 @@ events:
   - {time: 12, kind: task_appears, task: dig}
   - {time: 13, kind: task_reassigned, task: /dig, robot: r2}
   - {time: 14, kind: task_withdrawn, task: dig}
+  - {time: 15, kind: robot_removed, robot: r1}
 """
 
 
@@ -250,6 +251,7 @@ def test_event_of_every_kind_is_read() -> None:
         ScenarioEvent(12.0, kind.TASK_APPEARS, None, "dig"),
         ScenarioEvent(13.0, kind.TASK_REASSIGNED, "r2", "dig"),
         ScenarioEvent(14.0, kind.TASK_WITHDRAWN, None, "dig"),
+        ScenarioEvent(15.0, kind.ROBOT_REMOVED, "r1"),
     )
 
 
@@ -356,6 +358,23 @@ def test_events_are_checked_in_the_order_of_time() -> None:
         "s:11: events[4]/kind: r2 is not stopped then; let it stop before, once for each return",
         "s:12: events[5]/kind: r2 is not stuck then; let it stick before, once for each coming free",
         "s:16: events[9]/kind: the radio is not partitioned then; let it be partitioned before",
+    ]
+
+
+def test_nothing_happens_to_a_robot_after_it_was_removed() -> None:
+    """What was begun before need not end, and operators may still name it."""
+    assert said(
+        """
+  - {time: 1, kind: robot_stops, robot: r1}
+  - {time: 9, kind: robot_returns, robot: r1}
+  - {time: 5, kind: robot_removed, robot: r1}
+  - {time: 6, kind: robot_removed, robot: r1}
+  - {time: 7, kind: task_reassigned, task: dig, robot: r1}
+  - {time: 8, kind: robot_removed, robot: r2}
+"""
+    ) == [
+        f"s:{line}: events[{number}]/robot: 'r1' was removed for good at 5 s; let nothing happen to it afterwards"
+        for line, number in ((8, 1), (10, 3))
     ]
 
 

@@ -316,3 +316,17 @@ def test_scene_shows_what_was_heard_whatever_views_were_asked_for_before(
         for message in heard:
             fresh.hear(message)
         assert looked_at.view(time) == fresh.view(time)
+
+
+def test_removed_robot_is_nowhere_from_then_on_and_its_track_ends() -> None:
+    scene = tracker()
+    scene.hear(pose("robot1", 1.0, 0.5, 0.5))
+    scene.hear(pose("robot2", 1.0, 1.5, 0.5))
+    fields = {"kind": "robot_removed", "robot_id": "/robot1", "task_id": "", "parameters_yaml": "", "text": "Gone."}
+    scene.hear(Heard("/mrta/scenario_event", "rqt_mrta_py/ScenarioEvent", 2.0, fields))
+    for whole in (False, True):
+        first, second = scene.view(2.5, whole).robots[:2]
+        assert (first.id, first.pose) == ("robot1", None)
+        assert second.pose == Pose(1.5, 0.5, 0.0)
+    assert scene.view(2.5).robots[0].trail == ()
+    assert [track.gone for track in scene.tracks()[:2]] == [2.0, None]

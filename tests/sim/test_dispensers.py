@@ -7,12 +7,22 @@ from dataclasses import replace
 
 import pytest
 
-from rqt_mrta_py.hooks import Body
-from rqt_mrta_py.model import Dispenser, LooseBody, Pose, RobotSetup, SensorSetup, Twist
+from rqt_mrta_py.hooks import Body, TeamHeard
+from rqt_mrta_py.model import (
+    Dispenser,
+    LooseBody,
+    Pose,
+    RobotSetup,
+    ScenarioEvent,
+    ScenarioEventKind,
+    SensorSetup,
+    Twist,
+)
 from tests.sim.doubles import StillWorld
 from tests.sim.scenarios import RATE, scenario, simulation
 
 PLACE = Dispenser("sw3", Pose(0.0, 0.0, math.pi / 2), (0.18, 0.07, 0.07), 0.06, "block3", 0.8, stock=3)
+REMOVED = ScenarioEventKind.ROBOT_REMOVED
 LOOK = RATE // 2
 """So many ticks after another it is looked whether something was carried off."""
 
@@ -20,9 +30,9 @@ LOOK = RATE // 2
 class Yard:
     """A scenario that nobody commands, in which a hand moves things."""
 
-    def __init__(self, world, *robots, dispensers=(PLACE,), bodies=()):
+    def __init__(self, world, *robots, dispensers=(PLACE,), bodies=(), events=()):
         team = robots or (RobotSetup("r1", "diff_drive", Pose(2.0, 2.0)),)
-        self.simulated = simulation(scenario(robots=team, bodies=bodies, dispensers=dispensers, world=world))
+        self.simulated = simulation(scenario(*events, robots=team, bodies=bodies, dispensers=dispensers, world=world))
         self.world = self.simulated.world
         self.tick = 0
 
@@ -96,6 +106,16 @@ def test_no_body_appears_where_a_robot_stands(yard, x, comes):
         site.world.step()
     site.world.freeze("r1", True)
     assert site.look() == (["sw3_2"] if comes else [])
+
+
+def test_body_appears_where_a_robot_stood_that_was_removed_with_the_last_one(yard):
+    site = yard(RobotSetup("r1", "carrier", Pose(-0.3, 0.0)), events=(ScenarioEvent(1.0, REMOVED, "r1"),))
+    site.simulated.grippers.listener(["r1"])[1](TeamHeard([0], [0.0], [{"data": 1.0}]))
+    site.simulated.act(0.0)
+    assert dict(site.simulated.grippers.held) == {"sw3_1": "r1"}
+    assert site.look() == ["sw3_1"]
+    assert site.look() == ["sw3_2"]
+    assert dict(site.simulated.grippers.held) == {}
 
 
 def test_no_body_appears_where_another_lies(yard):

@@ -157,6 +157,19 @@ def test_stopped_robot_keeps_its_block_without_holding_it(site):
     assert world.simulated.world.arm_angles()["r1"] == pytest.approx(LOW, abs=1e-3)
 
 
+def test_robot_that_is_removed_takes_its_block_along_and_says_nothing_more(site):
+    removed = ScenarioEvent(11.0, ScenarioEventKind.ROBOT_REMOVED, "r1")
+    world = site(block("b1", 0.005), events=[removed])
+    world.approach()
+    world.tick(RATE)
+    assert world.held == {"b1": "r1"}
+    spoken = len(world.told)
+    world.tick(RATE, arm=1.0, magnet=1.0, vx=0.1)
+    assert len(world.told) == spoken
+    assert (world.held, list(world.simulated.magnets.kept)) == ({}, [])
+    assert dict(world.simulated.world.bodies()) == {}
+
+
 def test_robot_tells_ten_times_a_second_where_its_arm_is(site):
     world = site()
     world.tick(RATE, arm=math.nan)

@@ -44,6 +44,7 @@ KIND = ScenarioEventKind
 TOLD = [
     (ScenarioEvent(1.0, KIND.ROBOT_STOPS, "r1"), "r1 stops: it stands still and falls silent."),
     (ScenarioEvent(1.0, KIND.ROBOT_RETURNS, "r1"), "r1 returns."),
+    (ScenarioEvent(1.0, KIND.ROBOT_REMOVED, "r1"), "r1 is taken off the floor, with what it holds."),
     (ScenarioEvent(1.0, KIND.ROBOT_STICKS, "r1"), "r1 is stuck: it stands still but is heard."),
     (ScenarioEvent(1.0, KIND.ROBOT_COMES_FREE, "r1"), "r1 comes free."),
     (
@@ -115,6 +116,11 @@ def test_operators_order_carries_the_task_that_appears():
     assert yaml.safe_load(order.fields["task_yaml"]) == {"id": "dig", "kind": "dig_hole", "place": {"x": 1.0, "y": 2.0}}
 
 
+def test_operator_tells_which_robot_was_removed():
+    order = order_of(ScenarioEvent(1.0, KIND.ROBOT_REMOVED, "r2"), None, 2.0)
+    assert (order.topic, order.type, order.fields) == ("/mrta/robot_removed", "std_msgs/String", {"data": "r2"})
+
+
 def test_operators_order_to_reassign_names_the_robot_that_it_goes_to():
     fields = order_of(ScenarioEvent(1.0, KIND.TASK_REASSIGNED, "r2", "dig"), DIG, 2.0).fields
     assert (fields["task_id"], fields["robot_id"], fields["task_yaml"]) == ("dig", "r2", "")
@@ -133,6 +139,6 @@ def test_operators_order_says_what_its_message_means(root, kind, constant):
     assert set(fields) <= names
 
 
-def test_only_what_happens_to_tasks_is_an_order():
+def test_operators_speak_of_what_happens_to_tasks_and_of_robots_that_are_taken_away():
     orders = {event.kind for event, _ in TOLD if order_of(event, None, 1.0) is not None}
-    assert orders == {KIND.TASK_APPEARS, KIND.TASK_WITHDRAWN, KIND.TASK_REASSIGNED}
+    assert orders == {KIND.ROBOT_REMOVED, KIND.TASK_APPEARS, KIND.TASK_WITHDRAWN, KIND.TASK_REASSIGNED}

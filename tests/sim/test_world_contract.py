@@ -389,3 +389,50 @@ def test_robot_turned_by_a_whole_tick_counts_time_by_ticks(world):
     for _ in range(20):
         world.step()
     assert world.poses()[0, 2] == pytest.approx(2.0, rel=0.05)
+
+
+def test_removed_robot_is_met_and_seen_by_nobody_and_stays_in_the_list(world):
+    world.reset(setup(Pose(0.0, 0.0), Pose(0.5, 0.0, 1.0), Pose(1.5, 0.0, math.pi)))
+    run(world, 0.2)
+    before = world.poses()[1]
+    world.remove_robot("r1")
+    assert world.poses().shape == (3, 3)
+    assert world.ranges(["r0"], np.zeros(1), 4.0)[0][0] == pytest.approx(1.5 - FRONT, abs=3e-3)
+    world.command("r0", "base", Twist(0.4, 0.0, 0.0))
+    run(world, 1.0)
+    assert world.contacts() == ()
+    run(world, 3.0)
+    assert world.contacts() == (Contact("r0", "r2"),)
+    assert world.poses()[0, 0] > 1.0
+    np.testing.assert_array_equal(world.poses()[1], before)
+
+
+def test_removed_robot_does_nothing_whatever_it_is_told(world):
+    world.reset(setup(Pose(0.0, 0.0), Pose(1.0, 0.0)))
+    world.remove_robot("r0")
+    before = world.poses()
+    world.command("r0", "base", Twist(0.3, 0.0, 1.0))
+    world.freeze("r0", True)
+    world.freeze("r0", False)
+    world.remove_robot("r0")
+    run(world, 1.0)
+    np.testing.assert_allclose(world.poses(), before, atol=2e-3)
+    with pytest.raises(SimError, match="robot r0: base takes a Twist"):
+        world.command("r0", "base", 1.0)
+    assert world.ranges(["r1"], np.array([math.pi]), 5.0)[0][0] == pytest.approx(4.0, abs=3e-3)
+
+
+def test_robot_that_is_not_there_cannot_be_removed(world):
+    world.reset(setup(Pose(0.0, 0.0)))
+    with pytest.raises(SimError, match="robot r7: not in this world"):
+        world.remove_robot("r7")
+
+
+def test_removed_robots_are_back_after_a_reset(world):
+    world.reset(setup(Pose(0.0, 0.0), Pose(0.5, 0.0)))
+    world.remove_robot("r1")
+    world.reset(setup(Pose(0.0, 0.0), Pose(0.5, 0.0)))
+    assert world.ranges(["r0"], np.zeros(1), 4.0)[0][0] == pytest.approx(0.5 - FRONT, abs=3e-3)
+    world.command("r1", "base", Twist(0.3, 0.0, 0.0))
+    run(world, 1.0)
+    assert world.poses()[1, 0] > 0.6

@@ -162,3 +162,23 @@ def test_robot_takes_over_what_another_lets_go(world):
     run(world, 2.0)
     assert world.bodies()["block"].position[0] > 0.75
     np.testing.assert_allclose(world.poses()[0], [0.0, 0.0, 0.0], atol=0.02)
+
+
+def test_removed_robot_takes_along_what_it_holds_and_leaves_what_it_let_go(world):
+    world.reset(setup(Pose(0.0, 0.0), Pose(0.0, 1.0)))
+    world.add_body(BLOCK)
+    world.add_body(replace(BLOCK, id="left", position=(0.3, 1.0, 0.1)))
+    world.add_body(replace(BLOCK, id="other", position=(0.3, -1.0, 0.1)))
+    world.attach("r0", "block")
+    world.attach("r1", "left")
+    world.step()
+    world.remove_robot("r0")
+    assert list(world.bodies()) == ["left", "other"]
+    world.detach("left")
+    world.remove_robot("r1")
+    run(world, 0.5)
+    assert list(world.bodies()) == ["left", "other"]
+    assert world.contacts() == ()
+    world.add_body(BLOCK)
+    world.step()
+    assert list(world.bodies()) == ["left", "other", "block"]

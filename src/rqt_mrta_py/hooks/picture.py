@@ -125,7 +125,10 @@ class BodySight:
         kind: what it is, as those who look for it call it.
         x: of its centre, in the frame ``map`` [m].
         y: of the same [m].
-        width: of a square that is about as large, seen from above [m].
+        length: along its own x, seen from above [m].
+        width: along its own y [m].
+        yaw: of its own x [rad].
+        lift: how far its lower side is above the floor [m].
         held: True while a robot at work holds it.
     """
 
@@ -133,7 +136,10 @@ class BodySight:
     kind: str
     x: float
     y: float
+    length: float
     width: float
+    yaw: float = 0.0
+    lift: float = 0.0
     held: bool = False
 
 

@@ -81,7 +81,10 @@ class World(Protocol):
 
     @property
     def capabilities(self) -> FrozenSet[str]:
-        """What it can do: ``drive:<name>``, ``contacts``, ``ranges``, ``bodies``, ``attach``, ``freeze``, ..."""
+        """What it can do.
+
+        ``drive:<name>``, ``contacts``, ``ranges``, ``bodies``, ``attach``, ``freeze``, ``remove`` (of robots), ...
+        """
         ...
 
     def reset(self, setup: WorldSetup) -> None:
@@ -118,6 +121,17 @@ class World(Protocol):
 
     def freeze(self, robot: str, frozen: bool) -> None:
         """Make a robot stand still, braked, whatever it is commanded; or let it move again."""
+        ...
+
+    def remove_robot(self, robot: str) -> None:
+        """Take a robot off the floor for good, with what it holds.
+
+        From then on it touches nothing and nobody sees it, its pose stays as it was, and whatever it is commanded
+        means nothing. Removing it again does nothing.
+
+        Raises:
+            SimError: no such robot.
+        """
         ...
 
     def command(self, robot: str, actuator: str, value: Union[Twist, float]) -> None:
@@ -167,7 +181,7 @@ class ArmWorld(World, Protocol):
     """A world that moves arms, of which it lists the capability ``arms``: the actuator ``arm`` takes their angles."""
 
     def arm_angles(self) -> Mapping[str, float]:
-        """Give the angle of joint 1 of every robot that has an arm [rad], by its id, in the setup's order."""
+        """Give the angle of joint 1 of every robot that has an arm and is there [rad], by id, in the setup's order."""
         ...
 
 

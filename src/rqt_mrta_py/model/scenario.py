@@ -187,6 +187,7 @@ class ScenarioEventKind(Enum):
     """What a scenario can make happen.
 
     * ``robot_stops``: it stands still and falls silent on all its topics; ``robot_returns`` undoes one stop.
+    * ``robot_removed``: somebody takes it off the floor for good, with what it holds; an operator tells so.
     * ``robot_sticks``: it stands still but is heard; ``robot_comes_free`` undoes it.
     * ``robot_slows``: it drives at ``factor`` of what it is commanded, from 0 to 1; 1 undoes it.
     * ``robot_clock_shifts``: its clock is off by ``offset`` [s] from then on; 0 sets it right.
@@ -201,6 +202,7 @@ class ScenarioEventKind(Enum):
 
     ROBOT_STOPS = "robot_stops"
     ROBOT_RETURNS = "robot_returns"
+    ROBOT_REMOVED = "robot_removed"
     ROBOT_STICKS = "robot_sticks"
     ROBOT_COMES_FREE = "robot_comes_free"
     ROBOT_SLOWS = "robot_slows"
@@ -260,12 +262,13 @@ class ScenarioSpec:
         robots: in file order.
         events: by time, then file order.
         world: the name under which the world is registered.
-        duration: of the mission [s].
+        duration: of the mission, at most [s].
         control_rate: control ticks a second [Hz]; an integer, for the tick is the clock.
         picture_period: one monitor picture every so many seconds of mission time; 0 for none [s].
         radio: between robots, at the start.
         planner: the name under which is registered what robots find their ways with.
         bodies: that can be pushed or carried, in file order.
+        linger: the mission ends so long after all tasks have ended that can; None: it goes on to its duration [s].
         dispensers: where further such bodies come from, in file order.
     """
 
@@ -281,6 +284,7 @@ class ScenarioSpec:
     planner: str = "astar"
     bodies: Tuple[LooseBody, ...] = ()
     dispensers: Tuple[Dispenser, ...] = ()
+    linger: Optional[float] = None
 
     @property
     def first_bodies(self) -> Tuple[LooseBody, ...]:

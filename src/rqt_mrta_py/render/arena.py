@@ -158,7 +158,7 @@ def draw_arena(whole: Canvas, arena: _Arena) -> Tuple[Box, ...]:
             _around(list(tasks.values()), task_size),
             _around(team.centres, team.radii[:, None] + 2.0),
             _around(noses, 3.0),
-            *(_around([body.centre], body.half) for body in (*lying, *carried)),
+            *(_around_corners(body.corners) for body in (*lying, *carried)),
             _around(badges, BADGE_RADIUS),
         )
     )
@@ -239,6 +239,12 @@ def _around(centres: Points, radius: Union[float, NDArray[np.float64]]) -> NDArr
     """Give the squares around places: left, top, right, bottom (places, 4)."""
     places = np.array(centres, dtype=np.float64).reshape(-1, 2)
     return np.hstack((places - radius, places + radius))
+
+
+def _around_corners(corners: Points) -> NDArray[np.float64]:
+    """Give the square around a shape, as ``_around`` does."""
+    places = np.array(corners, dtype=np.float64)
+    return np.hstack((places.min(axis=0), places.max(axis=0))).reshape(1, 4)
 
 
 def _draw_names(canvas: Canvas, placer: LabelPlacer, names: Sequence[_Name], near: bool) -> Tuple[Box, ...]:

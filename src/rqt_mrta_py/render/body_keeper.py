@@ -8,30 +8,47 @@ from typing import Dict, List, Mapping, NamedTuple, Optional, Tuple
 from rqt_mrta_py.hooks import BodySight, Heard, Subscription
 from rqt_mrta_py.model import ScenarioSpec
 
-__all__ = ["BodyKeeper", "BodyTrack"]
+__all__ = ["BodyKeeper", "BodyPlace", "BodyTrack"]
 
-_DEFAULT_WIDTH = 0.1
+_Size = Tuple[float, float, float]
+
+_DEFAULT_SIZE = (0.1, 0.1, 0.0)
 """Of a body that the scenario does not tell of [m]."""
 
 _STRIDE = 0.02
 """A body that was not carried further lies where it lay [m]."""
 
+_TURN = 0.1
+"""One that was not turned further lies as it lay [rad]."""
+
 _MOST_PLACES = 100_000
 """Of all bodies together; what they do after so many is kept no more."""
+
+
+class BodyPlace(NamedTuple):
+    """Where a body was from a time on [s]; the others as of a ``BodySight``."""
+
+    time: float
+    x: float
+    y: float
+    yaw: float
+    lift: float
+    held: bool
 
 
 class BodyTrack(NamedTuple):
     """Where a loose body was.
 
     Attributes:
-        id, kind, width: as of a ``BodySight``.
-        places: oldest first: (time [s], x [m], y [m], whether it was held) each; it stays until the next.
+        id, kind, length, width: as of a ``BodySight``.
+        places: oldest first; it stays until the next.
     """
 
     id: str
     kind: str
+    length: float
     width: float
-    places: Tuple[Tuple[float, float, float, bool], ...]
+    places: Tuple[BodyPlace, ...]
 
 
 class BodyKeeper:
@@ -46,10 +63,10 @@ class BodyKeeper:
     def __init__(self, scenario: Optional[ScenarioSpec]) -> None:
         bodies = scenario.bodies if scenario is not None else ()
         self._dispensers = scenario.dispensers if scenario is not None else ()
-        self._widths: Mapping[str, float] = {body.id: _width(body.size) for body in bodies}
+        self._sizes: Mapping[str, _Size] = {body.id: body.size for body in bodies}
         self._sights: Tuple[BodySight, ...] = ()
         self._kinds: Dict[str, str] = {}
-        self._places: Dict[str, List[Tuple[float, float, float, bool]]] = {}
+        self._places: Dict[str, List[BodyPlace]] = {}
         self._kept = 0
 
     def hear(self, heard: Heard) -> None:
@@ -62,11 +79,14 @@ class BodyKeeper:
             return
         sights = []
         for told in heard.fields["detections"]:
-            name, x, y = told["id"], told["position"]["x"], told["position"]["y"]
-            if math.isfinite(x + y):
-                width = self._width(name)
-                sights.append(BodySight(name, told["kind"], x, y, width, told["held"]))
-                self._log(name, told["kind"], (heard.receipt, x, y, told["held"]))
+            name, kind, position = told["id"], told["kind"], told["position"]
+            # Recordings of before bodies told how they are turned have no such field.
+            x, y, z, yaw = position["x"], position["y"], position["z"], told.get("yaw", 0.0)
+            if math.isfinite(x + y + z + yaw):
+                length, width, height = self._size(name)
+                place = BodyPlace(heard.receipt, x, y, yaw, max(z - height / 2.0, 0.0), told["held"])
+                sights.append(BodySight(name, kind, x, y, length, width, yaw, place.lift, place.held))
+                self._log(name, kind, place)
         self._sights = tuple(sorted(sights, key=lambda sight: sight.id))
 
     def bodies(self) -> Tuple[BodySight, ...]:
@@ -76,18 +96,17 @@ class BodyKeeper:
     def tracks(self) -> Tuple[BodyTrack, ...]:
         """Give where each body was, sorted by id."""
         return tuple(
-            BodyTrack(name, self._kinds[name], self._width(name), tuple(places))
+            BodyTrack(name, self._kinds[name], *self._size(name)[:2], tuple(places))
             for name, places in sorted(self._places.items())
         )
 
-    def _width(self, name: str) -> float:
-        width = self._widths.get(name)
-        if width is None:
-            sizes = [dispenser.size for dispenser in self._dispensers if dispenser.gives(name)]
-            width = _width(sizes[0]) if sizes else _DEFAULT_WIDTH
-        return width
+    def _size(self, name: str) -> _Size:
+        size = self._sizes.get(name)
+        if size is None:
+            size = next((each.size for each in self._dispensers if each.gives(name)), _DEFAULT_SIZE)
+        return size
 
-    def _log(self, name: str, kind: str, place: Tuple[float, float, float, bool]) -> None:
+    def _log(self, name: str, kind: str, place: BodyPlace) -> None:
         if self._kept >= _MOST_PLACES:
             return
         self._kinds[name] = kind
@@ -97,10 +116,9 @@ class BodyKeeper:
             self._kept += 1
 
 
-def _width(size: Tuple[float, float, float]) -> float:
-    return math.sqrt(size[0] * size[1])
-
-
-def _differs(before: Tuple[float, float, float, bool], after: Tuple[float, float, float, bool]) -> bool:
-    moved = math.hypot(after[1] - before[1], after[2] - before[2]) >= _STRIDE
-    return after[0] >= before[0] and (moved or before[3] != after[3])
+def _differs(before: BodyPlace, after: BodyPlace) -> bool:
+    if after.time < before.time:
+        return False
+    moved = math.dist((before.x, before.y, before.lift), (after.x, after.y, after.lift)) >= _STRIDE
+    turned = abs(math.remainder(after.yaw - before.yaw, math.tau)) >= _TURN
+    return moved or turned or before.held != after.held

@@ -22,6 +22,7 @@ _LONGEST_YAML = 2000
 _WORDS: Mapping[str, str] = {
     "robot_stops": "stops",
     "robot_returns": "returns",
+    "robot_removed": "removed",
     "robot_sticks": "sticks",
     "robot_comes_free": "comes free",
     "robot_slows": "slows",
@@ -55,6 +56,7 @@ class Condition(Enum):
 
 _CONDITIONS: Mapping[str, Condition] = {
     "robot_stops": Condition.STOPPED,
+    "robot_removed": Condition.STOPPED,
     "radio_fails": Condition.OFF_THE_AIR,
     "robot_sticks": Condition.STUCK,
     "robot_slows": Condition.SLOW,
@@ -63,7 +65,11 @@ _CONDITIONS: Mapping[str, Condition] = {
 
 
 class LabelKeeper:
-    """Hears what scenarios made happen, and keeps the newest of it."""
+    """Hears what scenarios made happen, and keeps the newest of it.
+
+    Attributes:
+        removed: when robots were taken off the floor, on the stream's clock [s].
+    """
 
     SUBSCRIPTION = Subscription(
         "/mrta/scenario_event",
@@ -73,6 +79,7 @@ class LabelKeeper:
 
     def __init__(self) -> None:
         self._labels: Deque[ScenarioLabel] = deque(maxlen=_MOST)
+        self.removed: Dict[str, float] = {}
 
     def hear(self, heard: Heard) -> None:
         """Take in one ScenarioEvent."""
@@ -88,6 +95,8 @@ class LabelKeeper:
                 _is_over(kind, fields["parameters_yaml"]),
             )
         )
+        if kind == "robot_removed" and len(self.removed) < _MOST:
+            self.removed.setdefault(self._labels[-1].robot, heard.receipt)
 
     def labels(self) -> Tuple[ScenarioLabel, ...]:
         """Give what happened so far, oldest first."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from array import array
-from typing import NamedTuple, Tuple
+from typing import NamedTuple, Optional, Tuple
 
 __all__ = ["PoseLog", "RobotTrack"]
 
@@ -21,6 +21,7 @@ class RobotTrack(NamedTuple):
         times: of its poses, increasing, on the stream's clock [s].
         xs, ys: in the frame ``map`` [m].
         yaws: counter-clockwise from the x axis [rad].
+        gone: from when on it was nowhere, for somebody had taken it away [s]; None if nobody did.
     """
 
     robot: str
@@ -30,6 +31,7 @@ class RobotTrack(NamedTuple):
     xs: Tuple[float, ...]
     ys: Tuple[float, ...]
     yaws: Tuple[float, ...]
+    gone: Optional[float] = None
 
 
 class PoseLog:

@@ -73,7 +73,7 @@ class SceneTracker:
             _POSES.type: self._hear_pose,
             _TRANSFORMS[0].type: self._hear_transforms,
             _PROGRESS.type: self._hear_progress,
-            LabelKeeper.SUBSCRIPTION.type: self._labels.hear,
+            LabelKeeper.SUBSCRIPTION.type: self._hear_label,
             BodyKeeper.SUBSCRIPTION.type: self._bodies.hear,
         }
 
@@ -103,7 +103,11 @@ class SceneTracker:
 
     def tracks(self) -> Tuple[RobotTrack, ...]:
         """Give where each robot was at which moment, as finely as it was kept."""
-        return tuple(track.log.track(robot, track.radius) for robot, track in self._tracks.items())
+        removed = self._labels.removed
+        return tuple(
+            track.log.track(robot, track.radius)._replace(gone=removed.get(robot))
+            for robot, track in self._tracks.items()
+        )
 
     def body_tracks(self) -> Tuple[BodyTrack, ...]:
         """Give where each loose body was at which moment, sorted by id."""
@@ -146,6 +150,12 @@ class SceneTracker:
                 if heard.receipt >= track.log.due:
                     track.log.add(heard.receipt, pose.x, pose.y, track.turn)
 
+    def _hear_label(self, heard: Heard) -> None:
+        self._labels.hear(heard)
+        for robot in self._labels.removed.keys() & self._tracks.keys():
+            self._tracks[robot].is_gone = True
+            self._sights = None
+
     def _hear_progress(self, heard: Heard) -> None:
         code, task = heard.fields["progress"], normalise_id(heard.fields["task_id"])
         progress = Progress.of_code(code)
@@ -180,9 +190,12 @@ class SceneTracker:
 
 
 class _Track:
-    """One robot: its path, poses, newest orientation as x, y, z, w, whether it ever told a pose, its radius [m]."""
+    """One robot.
 
-    __slots__ = ("_robot", "_seen", "_seen_at", "_sight", "located", "log", "path", "radius", "turn")
+    Its path, poses, newest orientation as x, y, z, w, whether it ever told a pose, its radius [m], whether it is gone.
+    """
+
+    __slots__ = ("_robot", "_seen", "_seen_at", "_sight", "is_gone", "located", "log", "path", "radius", "turn")
 
     def __init__(self, robot: str, path: PathKeeper, log: PoseLog, radius: float) -> None:
         self._robot = robot
@@ -191,12 +204,15 @@ class _Track:
         self.radius = radius
         self.turn = (0.0, 0.0, 0.0, 1.0)
         self.located = False
+        self.is_gone = False
         self._sight: Optional[RobotSight] = None
         self._seen: Optional[Tuple[float, float, float]] = None
         self._seen_at = 0.0
 
     def sight(self, now: float) -> RobotSight:
         """Give the robot with its recent trail; the same object until it is heard again or the trail grows old."""
+        if self.is_gone:
+            return RobotSight(self._robot, None, self.radius)
         sight, path = self._sight, self.path
         if sight is None or path.newest is not self._seen or now < self._seen_at or path.fades(sight.trail, now):
             sight = self._sight = RobotSight(self._robot, self._pose(), self.radius, path.recent(now))
@@ -208,7 +224,7 @@ class _Track:
         return RobotSight(self._robot, self._pose(), self.radius, self.path.whole())
 
     def _pose(self) -> Optional[Pose]:
-        if self.path.newest is None:
+        if self.path.newest is None or self.is_gone:
             return None
         _, x, y = self.path.newest
         qx, qy, qz, qw = self.turn

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Collection, Iterator, Mapping
 
 from rqt_mrta_py.hooks import Outgoing, World
@@ -42,8 +43,15 @@ class BodyLabels:
         states = world.bodies()
         detections = []
         for name in sorted(states.keys() & self._bodies.keys()):
-            x, y, z = states[name].position
-            position = {"x": x, "y": y, "z": z}
-            detections.append({"id": name, "kind": self._bodies[name].kind, "position": position, "held": name in held})
+            (x, y, z), (qx, qy, qz, qw) = states[name]
+            detections.append(
+                {
+                    "id": name,
+                    "kind": self._bodies[name].kind,
+                    "position": {"x": x, "y": y, "z": z},
+                    "held": name in held,
+                    "yaw": math.atan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz)),
+                }
+            )
         fields = {"header": {"stamp": now, "frame_id": "map"}, "detections": detections}
         yield Outgoing(BODIES_TOPIC, "rqt_mrta_py/Detections", fields)

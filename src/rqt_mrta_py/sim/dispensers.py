@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Callable, Dict, List, Mapping, Optional, Tuple, cast
+from typing import TYPE_CHECKING, Callable, Collection, Dict, List, Mapping, Optional, Tuple, cast
 
 from rqt_mrta_py.hooks import ArmModel, ArmWorld, Body, BodyState, RobotModel, World
 from rqt_mrta_py.model import Dispenser, LooseBody, Obstacle, Pose, ScenarioSpec
@@ -43,7 +43,7 @@ class Dispensers:
         self.bodies: Dict[str, LooseBody] = {body.id: body for body in scenario.first_bodies}
         self._last = dict.fromkeys(scenario.dispensers, 1)
         self._schedule = Schedule(min(_RATE, scenario.control_rate), scenario.control_rate)
-        self._radii = [models[robot.model].radius for robot in scenario.robots]
+        self._radii = {robot.id: models[robot.model].radius for robot in scenario.robots}
         self._arms: List[Tuple[int, str, ArmModel]] = []
         for row, robot in enumerate(scenario.robots):
             arm = models[robot.model].arm
@@ -55,13 +55,16 @@ class Dispensers:
         for body in self.bodies.values():
             world.add_body(_built(body))
 
-    def refill(self, tick: int, world: World, where: Callable[[], NDArray[np.float64]]) -> None:
+    def refill(
+        self, tick: int, world: World, where: Callable[[], NDArray[np.float64]], removed: Collection[str] = ()
+    ) -> None:
         """Put in bodies whose time has come, if it is time to look.
 
         Args:
             tick: of the mission, from 0.
             world: where bodies and robots are.
             where: gives true poses of all robots in the frame ``map``: x, y [m] and yaw [rad], shape (robots, 3).
+            removed: ids of robots that are not there any more.
         """
         if not self._last or not self._schedule.is_due(tick):
             return
@@ -69,21 +72,28 @@ class Dispensers:
         for dispenser, number in self._last.items():
             if number == dispenser.stock or not _is_carried_off(dispenser, states.get(dispenser.body(number).id)):
                 continue
-            if self._is_free(dispenser, states, world, where()):
+            if self._is_free(dispenser, states, world, where(), removed):
                 body = dispenser.body(number + 1)
                 self._last[dispenser] = number + 1
                 self.bodies[body.id] = body
                 world.add_body(_built(body))
 
     def _is_free(
-        self, place: Dispenser, states: Mapping[str, BodyState], world: World, poses: NDArray[np.float64]
+        self,
+        place: Dispenser,
+        states: Mapping[str, BodyState],
+        world: World,
+        poses: NDArray[np.float64],
+        removed: Collection[str],
     ) -> bool:
         footprint = Obstacle(place.id, place.pose, place.size)
-        for (x, y, _), radius in zip(poses.tolist(), self._radii):
-            if distance_to(Pose(x, y), footprint) < radius + _APART:
+        for (x, y, _), (robot, radius) in zip(poses.tolist(), self._radii.items()):
+            if robot not in removed and distance_to(Pose(x, y), footprint) < radius + _APART:
                 return False
         angles = cast(ArmWorld, world).arm_angles() if self._arms else {}
         for row, name, arm in self._arms:
+            if name in removed:
+                continue
             magnet = arm.magnet_pose(Pose(*poses[row].tolist()), angles[name])
             if distance_to(magnet, footprint) < _MAGNET_RADIUS + _APART:
                 return False

@@ -22,7 +22,11 @@ class Faults:
 
     Stops, stickings and failures of one robot's radio are counted, each kind for itself: what began as often as it did
     lasts until as many ends have come, so a robot that stopped for good stays so, whatever other stop begins and ends
-    meanwhile. A robot stands still while it is stopped or stuck, and is silent while it is stopped.
+    meanwhile. A robot stands still while it is stopped or stuck, and is silent while it is stopped. One that is removed
+    is stopped for good.
+
+    Attributes:
+        removed: the robots that were taken off the floor.
 
     Args:
         robots: by id.
@@ -40,6 +44,7 @@ class Faults:
         self._links = iter(links)
         self._counts: Counter[Tuple[ScenarioEventKind, str]] = Counter()
         self._stopped: Set[str] = set()
+        self.removed: Set[str] = set()
         self._clocks: Dict[str, RobotClock] = {}
 
     def happen(self, event: ScenarioEvent, now: float) -> None:
@@ -58,6 +63,10 @@ class Faults:
             self._radio.link = next(self._links)
         elif event.robot is None or event.task is not None:
             return
+        elif kind is ScenarioEventKind.ROBOT_REMOVED:
+            self._count(ScenarioEventKind.ROBOT_STOPS, event.robot, 1)
+            self.removed.add(event.robot)
+            self._world.remove_robot(event.robot)
         elif kind is ScenarioEventKind.ROBOT_SLOWS:
             self._robots[event.robot].speed_factor = event.parameters["factor"]
         elif kind is ScenarioEventKind.ROBOT_CLOCK_SHIFTS:

@@ -68,6 +68,10 @@ class Holding:
         """Let a robot let go of what it holds."""
         world.detach(self.by_robot.pop(name))
 
+    def forget(self, name: str) -> None:
+        """Let a robot hold nothing any more: it was taken away, and what it held with it."""
+        self.by_robot.pop(name, None)
+
     def is_due(self, tick: int) -> bool:
         """Tell whether all say what they hold at a tick, even if it has stayed the same."""
         return self._schedule.is_due(tick)

@@ -144,6 +144,10 @@ class Magnets:
                 self._holding.drop(name, world)
         self._shall_look = False
 
+    def forget(self, name: str) -> None:
+        """Let a robot hold nothing any more: it was taken away, and what it held with it."""
+        self._holding.forget(name)
+
     def tell(self, tick: int) -> Iterator[RobotSaid]:
         """Say what robots hold: at once when it changes, else twice a second; stopped robots are silent.
 

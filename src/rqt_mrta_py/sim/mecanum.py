@@ -12,7 +12,7 @@ from typing import NamedTuple, Tuple
 
 from rqt_mrta_py.model import Twist
 
-__all__ = ["MecanumWheels", "within_wheel_speed"]
+__all__ = ["MecanumWheels", "pulse_frequency", "step_rate", "within_wheel_speed"]
 
 Speeds = Tuple[float, float, float, float]
 
@@ -79,3 +79,37 @@ def within_wheel_speed(wheels: MecanumWheels, twist: Twist, most: float) -> Twis
         return twist
     share = most / fastest
     return Twist(twist.vx * share, twist.vy * share, twist.wz * share)
+
+
+def step_rate(speed: float, step_angle: float, microsteps: int) -> float:
+    """Give how many steps a second the stepper of a wheel makes.
+
+    n = w m_p (360 / rho) / (2 pi), with rho in degrees; in radians, w m_p / rho.
+
+    Dantas (2017), equation 3.9.
+
+    Args:
+        speed: of the wheel, w; below 0 backwards [rad/s].
+        step_angle: that a whole step turns it by, rho; of the source's motors 0.9 or 1.8 degrees [rad].
+        microsteps: that a whole step is divided into, m_p.
+
+    Returns:
+        Steps a second, below 0 backwards [1/s].
+
+    Raises:
+        ValueError: the angle is not above 0, or there is not one microstep.
+    """
+    if not step_angle > 0.0 or microsteps < 1:
+        raise ValueError(f"a stepper has a step angle above 0 and microsteps (got {step_angle!r}, {microsteps!r})")
+    return speed * microsteps / step_angle
+
+
+def pulse_frequency(rate: float) -> float:
+    """Give the frequency at which the line of a stepper's driver changes: f = 2 n, each step up and down again [Hz].
+
+    Dantas (2017), equation 3.10.
+
+    Args:
+        rate: n, steps a second in either direction [1/s].
+    """
+    return 2.0 * abs(rate)

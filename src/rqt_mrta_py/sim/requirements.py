@@ -66,6 +66,8 @@ def missing_capabilities(
     for event in scenario.events:
         if event.kind in FREEZING:
             needs.setdefault("freeze", f"event {event.kind.value} at {event.time:g} s")
+        elif event.kind is ScenarioEventKind.ROBOT_REMOVED:
+            needs.setdefault("remove", f"event {event.kind.value} at {event.time:g} s")
     if scenario.bodies or scenario.dispensers:
         first = f"body {scenario.bodies[0].id}" if scenario.bodies else f"dispenser {scenario.dispensers[0].id}"
         needs.setdefault("bodies", first)

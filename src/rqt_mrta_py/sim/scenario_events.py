@@ -10,7 +10,10 @@ from rqt_mrta_py.hooks import Outgoing, task_order
 from rqt_mrta_py.model import Progress, ScenarioEvent, ScenarioEventKind, ScenarioSpec, Task
 from rqt_mrta_py.sim.radio import radio_of
 
-__all__ = ["in_order", "label_of", "order_of"]
+__all__ = ["ROBOT_REMOVED", "in_order", "label_of", "order_of"]
+
+ROBOT_REMOVED = "/mrta/robot_removed"
+"""Where an operator tells which robot was taken off the floor for good (std_msgs/String): its id."""
 
 _MOST_NAMES = 5
 _MOST_GROUPS = 4
@@ -48,7 +51,7 @@ def label_of(event: ScenarioEvent, now: float) -> Outgoing:
 
 
 def order_of(event: ScenarioEvent, task: Optional[Task], now: float) -> Optional[Outgoing]:
-    """Say on ``/mrta/task_progress`` what an operator wants of a task.
+    """Say what an operator wants of a task (``/mrta/task_progress``), or which robot is gone (``/mrta/robot_removed``).
 
     Args:
         event: what happened.
@@ -56,8 +59,10 @@ def order_of(event: ScenarioEvent, task: Optional[Task], now: float) -> Optional
         now: when [s].
 
     Returns:
-        The order, for the node ``/operator`` to publish; None for an event that is none.
+        What the node ``/operator`` is to publish; None for an event that no operator speaks of.
     """
+    if event.kind is ScenarioEventKind.ROBOT_REMOVED:
+        return Outgoing(ROBOT_REMOVED, "std_msgs/String", {"data": event.robot or ""})
     if event.kind not in _ORDERS:
         return None
     progress, detail = _ORDERS[event.kind]
@@ -110,6 +115,7 @@ def _says(text: str) -> Callable[[ScenarioEvent], str]:
 _SENTENCES: Mapping[ScenarioEventKind, Callable[[ScenarioEvent], str]] = {
     ScenarioEventKind.ROBOT_STOPS: _says("{robot} stops: it stands still and falls silent."),
     ScenarioEventKind.ROBOT_RETURNS: _says("{robot} returns."),
+    ScenarioEventKind.ROBOT_REMOVED: _says("{robot} is taken off the floor, with what it holds."),
     ScenarioEventKind.ROBOT_STICKS: _says("{robot} is stuck: it stands still but is heard."),
     ScenarioEventKind.ROBOT_COMES_FREE: _says("{robot} comes free."),
     ScenarioEventKind.ROBOT_SLOWS: _slows,

@@ -33,7 +33,7 @@ from rqt_mrta_py.hooks import (
     WorldFactory,
     WorldSetup,
 )
-from rqt_mrta_py.model import Pose, ScenarioEvent, ScenarioSpec
+from rqt_mrta_py.model import Pose, ScenarioEvent, ScenarioEventKind, ScenarioSpec
 from rqt_mrta_py.sim.arms import Arms
 from rqt_mrta_py.sim.body_labels import BodyLabels
 from rqt_mrta_py.sim.body_placement import body_problems
@@ -172,11 +172,14 @@ class Simulation:
             if first_tick_at(event.time, self.scenario.control_rate) > tick:
                 break
             self._faults.happen(event, now)
+            if event.kind is ScenarioEventKind.ROBOT_REMOVED and event.robot is not None:
+                self.grippers.forget(event.robot)
+                self.magnets.forget(event.robot)
             self._next_event += 1
         if self._next_event > first:
             self.sensing.leave_out(self._faults.stopped)
         self._clock_offsets = self._faults.clock_offsets(now)
-        self._dispensers.refill(tick, self.world, self._where_they_are)
+        self._dispensers.refill(tick, self.world, self._where_they_are, self._faults.removed)
         return self._events[first : self._next_event]
 
     def sense(self, tick: int, now: float) -> Iterator[Said]:

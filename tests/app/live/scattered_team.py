@@ -96,10 +96,12 @@ class ScatteredTeam:
                 self._deliver_something()
             yield from self._heard(tick)
             self._turns.close()
+            if self._turns.is_over:
+                break
         self._watcher.expect(self._turns.end().manifest)
         while self._watcher.missing:
             self._deliver_something()
-        yield from self._heard(self._world.last_tick + 1)
+        yield from self._heard(tick + 1)
 
     def run_freely(self) -> Iterator[Stamped]:
         """Give everything that was said, if nobody waits but all that is said arrives before the next tick."""

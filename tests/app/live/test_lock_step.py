@@ -46,6 +46,8 @@ def one_process(host: Host, mission: Mission) -> List[Stamped]:
     run.bus.tap(said.extend)
     for tick in range(run.last_tick + 1):
         run.step(tick)
+        if run.is_over(tick):
+            break
     run.close()
     return said
 
@@ -96,3 +98,18 @@ def by_topic(said: Iterable[Stamped]) -> Dict[Tuple[str, str], List[bytes]]:
     for stamped in said:
         found.setdefault((stamped.connection.caller, stamped.connection.topic), []).append(stamped.raw)
     return found
+
+
+def test_a_scattered_team_ends_at_the_tick_at_which_one_in_one_process_does(host: Host) -> None:
+    mission = troubled(loaded(host, "border_patrol", "mrta_alliance"))
+    assert mission.scenario is not None
+    # An operator withdraws the only one of its tasks that ends by itself, at 1.2 s.
+    tasks = tuple(dataclasses.replace(task, perpetual=task.id != "wander") for task in mission.tasks)
+    mission = dataclasses.replace(mission, tasks=tasks, scenario=dataclasses.replace(mission.scenario, linger=0.5))
+    codec = host.codec()
+    expected = one_process(host, mission)
+    team = ScatteredTeam(mission, 2.5, codec, host.manager, chance=1)
+    found = list(team.run())
+    team.close()
+    assert max(each.receipt_ns for each in expected) == 2_700_000_000
+    assert [(each.receipt_ns, each.raw) for each in found] == [(each.receipt_ns, each.raw) for each in expected]

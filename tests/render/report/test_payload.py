@@ -61,6 +61,13 @@ def test_places_beyond_all_arenas_are_left_out() -> None:
     assert data["robots"][0]["track"] is None
 
 
+def test_a_robot_that_was_taken_away_is_gone_from_then_on() -> None:
+    assert with_track((1.0, 0.0, 0.0, 0.0))["robots"][0]["gone"] is None
+    given = usual_mission()
+    track = RobotTrack("robot1", 0.2, 0.2, (1.0,), (0.0,), (0.0,), (0.0,), 31.5)
+    assert told(replace(given, tracks=(track,)))["robots"][0]["gone"] == 30500
+
+
 def test_strokes_of_curves_end_where_nothing_is_known() -> None:
     curve = Curve("wander", (1.0, 2.0, 3.0, 3.0, 4.0), (0.0, 0.5, math.nan, 1.0, 1.0))
     panel = CurvePanel("motivation", "1", 1.0, 1.0, (CurveGroup("robot1", (curve,)),))

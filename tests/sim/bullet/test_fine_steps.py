@@ -17,8 +17,8 @@ from tests.sim.worlds import TICK, run, setup
 ARM = MECANUM_ARM.arm
 BLOCK = (0.18, 0.07, 0.07)
 MASS = 0.06
-COARSE, FINE = 2, 12
-"""Steps in a tick of 0.05 s: of 1/40 s, and of 1/240 s."""
+COARSE, FINE = 2, 6
+"""Steps in a tick of 0.05 s: of 1/40 s, and of 1/120 s."""
 SETTLED = 3.0
 """What blocks that were put down take to settle [s]."""
 
@@ -77,13 +77,14 @@ def test_steps_are_fine_only_while_blocks_settle_or_a_robot_or_what_it_holds_is_
     assert steps(world) == FINE
 
 
-def drive(world, x):
-    """Bring the robot to a place on the x axis, heading along it, at 3 cm/s, the last stretch slower."""
+def drive(world, x, y=0.0):
+    """Bring the robot to a place, heading along the x axis, at 3 cm/s, the last stretch slower."""
     for _ in range(4000):
-        here, y, yaw = world.poses()[0]
-        if max(abs(x - here), abs(y), abs(yaw)) < 1e-5:
+        off_x, off_y, yaw = world.poses()[0] - [x, y, 0.0]
+        if max(abs(off_x), abs(off_y), abs(yaw)) < 1e-5:
             break
-        world.command("r0", "base", Twist(max(-0.03, min(0.03, (x - here) / TICK / 2)), -2.0 * y, -2.0 * yaw))
+        vx, vy = (max(-0.03, min(0.03, -off / TICK / 2)) for off in (off_x, off_y))
+        world.command("r0", "base", Twist(vx, vy, -2.0 * yaw))
         world.step()
     world.command("r0", "base", Twist())
     run(world, 0.2)
@@ -97,30 +98,41 @@ def lift(world, angle):
 
 
 def put_up_a_stack(world, levels=5):
-    """Take blocks one by one from where one always lies, and stack them behind it, by commands to the world alone.
+    """Put blocks on one another; give where the stack was meant to stand, and the hash of all poses on the way."""
+    places = [(0.0, level) for level in range(levels)]
+    return put_up(world, places)
+
+
+def put_up(world, places):
+    """Take blocks one by one from where one always lies, and put them up behind it, by commands to the world alone.
+
+    Args:
+        world: to build in.
+        places: how far to the left each shall lie [m], and on which level, from 0.
 
     Returns:
-        Where the stack was meant to stand, and the hash of all poses on the way.
+        How far ahead they were meant to lie [m], and the hash of all poses on the way.
     """
     source, goal = 0.5, 1.0
     digest = hashlib.sha256()
     world.reset(setup(Pose(-0.2, 0.0), model=MECANUM_ARM))
-    for level in range(levels):
-        name = f"b{level}"
+    for number, (left, level) in enumerate(places):
+        name = f"b{number}"
         grip = ARM.angle_at(0.035)
         lift(world, grip)
         world.add_body(block(name, source))
         drive(world, source - 0.035 - ARM.reach_at(grip))
         world.attach("r0", name)
         drive(world, world.poses()[0, 0] - 0.1)
+        drive(world, world.poses()[0, 0], left)
         # Over what stands already, then down on it, which the arc of the arm brings forward meanwhile.
         above = ARM.angle_at(0.035 + 0.07 * level + 0.01)
         down = ARM.angle_at(0.035 + 0.07 * level)
         lift(world, above)
-        drive(world, goal - 0.035 - ARM.reach_at(down))
+        drive(world, goal - 0.035 - ARM.reach_at(down), left)
         lift(world, down)
         world.detach(name)
-        drive(world, world.poses()[0, 0] - 0.25)
+        drive(world, world.poses()[0, 0] - 0.25, left)
         lift(world, ARM.highest)
         drive(world, -0.2)
         digest.update(world.poses().tobytes())
@@ -136,6 +148,18 @@ def test_stack_of_five_blocks_stands_where_it_was_put(world):
     errors = np.hypot(places[:, 0] - goal, places[:, 1])
     assert places[:, 2] == pytest.approx(0.035 + 0.07 * np.arange(5), abs=2e-3)
     assert errors.mean() < 1e-3
+    assert errors.max() < 1e-3
+
+
+def test_wall_of_blocks_side_by_side_stands_where_it_was_put(world):
+    """Three beside one another with 1 cm between them, two over their joints."""
+    lefts = (-0.19, 0.0, 0.19, -0.095, 0.095)
+    levels = (0, 0, 0, 1, 1)
+    goal, _ = put_up(world, list(zip(lefts, levels)))
+    run(world, 5.0)
+    places = np.array([state.position for state in world.bodies().values()])
+    errors = np.hypot(places[:, 0] - goal, places[:, 1] - lefts)
+    assert places[:, 2] == pytest.approx(0.035 + 0.07 * np.array(levels), abs=1e-3)
     assert errors.max() < 1e-3
 
 

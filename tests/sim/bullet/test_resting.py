@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 
+from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import Body, Contact
 from rqt_mrta_py.model import Pose, Twist
 from rqt_mrta_py.sim.bullet import BulletWorld
@@ -145,3 +146,20 @@ def test_removed_block_frees_what_stood_on_it_and_that_what_stood_on_that(world)
     run(world, SETTLED)
     assert [place(world, name)[2] for name in ("b2", "b3")] == pytest.approx([0.035, 0.105], abs=1e-3)
     assert world.contacts() == (Contact("b2", "b3"),)
+
+
+def test_bodies_that_come_after_a_robot_was_removed_come_to_rest(world):
+    """PyBullet gives the numbers of bodies that are gone to new ones."""
+    world.reset(setup(Pose(-1.0, 0.0), Pose(-1.0, 1.0), model=MECANUM_ARM))
+    world.add_body(block("b1", 1.0))
+    run(world, SETTLED)
+    world.remove_robot("r1")
+    assert list(world.arm_angles()) == ["r0"]
+    world.command("r1", "arm", 0.5)
+    for number in (2, 3, 4):
+        world.add_body(block(f"b{number}", 1.0, number))
+    run(world, SETTLED)
+    assert all(is_fixed(world, f"b{number}") for number in (1, 2, 3, 4))
+    assert world.contacts() == tuple(Contact(f"b{number}", f"b{number + 1}") for number in (1, 2, 3))
+    with pytest.raises(SimError, match="robot r1: arm takes a finite angle"):
+        world.command("r1", "arm", math.inf)

@@ -8,5 +8,6 @@
 * ``incidents``: how well incident rules find faults
 * ``live``: what live supervision costs, against a master of its own
 * ``loop``, ``load``, ``parts``: how fast a simulated mission runs, with how much to do, and where its time goes
+* ``physics``: how long the world takes in which a robot builds
 * ``review``, ``review_load``: how fast bags are reviewed, and what they hold
 """

@@ -19,6 +19,7 @@ def mrta_register_benchmarks() -> Mapping[str, Benchmark]:
         ),
         "live": Benchmark("What live supervision costs, how quick and how safe it is.", _live_arguments, _live),
         "loop": Benchmark("How fast a simulated mission runs, everything on.", _loop_arguments, _loop),
+        "physics": Benchmark("How long the physics of a building robot takes.", _physics_arguments, _physics),
         "review": Benchmark("How fast bags are reviewed, beside rosbag.", _review_arguments, _review),
     }
 
@@ -55,6 +56,18 @@ def _loop_arguments(parser: ArgumentParser) -> None:
 
 def _loop(options: Namespace, _laboratory: Laboratory) -> BenchmarkTable:
     from rqt_mrta_py.app.bench.loop import measure
+
+    return measure(options)
+
+
+def _physics_arguments(parser: ArgumentParser) -> None:
+    from rqt_mrta_py.app.bench.physics import add_arguments
+
+    add_arguments(parser)
+
+
+def _physics(options: Namespace, _laboratory: Laboratory) -> BenchmarkTable:
+    from rqt_mrta_py.app.bench.physics import measure
 
     return measure(options)
 

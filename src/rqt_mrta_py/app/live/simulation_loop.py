@@ -116,6 +116,8 @@ class SimulationLoop:
                 due -= ahead
             with node.lock:
                 self._turns.close()
+                if self._turns.is_over:
+                    break
         took = time.monotonic() - began
         with node.lock:
             news = self._turns.end()

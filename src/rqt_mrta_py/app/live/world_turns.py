@@ -31,7 +31,7 @@ class WorldTurns:
 
     Attributes:
         robots: ids, in the team's order.
-        command_topics: what is to be handed to ``hear``.
+        command_topics: what is to be handed to ``hear``; where the mission may end early, how tasks go too.
 
     Args:
         world: of the mission; nothing has happened yet.
@@ -54,7 +54,10 @@ class WorldTurns:
         self._dispatcher = Dispatcher(world.bus.codec, lambda _heard, _text: None)
         self._hearings: List[_Hearing] = []
         ears = world.simulation.ears(self.robots)
-        self.command_topics = tuple(topic for ear in ears for topic in self._listen(ear.robots, ear.wish, ear.hear))
+        self.command_topics = (
+            *(topic for ear in ears for topic in self._listen(ear.robots, ear.wish, ear.hear)),
+            *self._listen_for_the_end(),
+        )
 
     def open(self, tick: int) -> Tuple[Sequence[Stamped], TickNews]:
         """Begin a tick.
@@ -91,6 +94,11 @@ class WorldTurns:
         return TickNews(
             tick, self._world.clock.stamp(tick), self._lock_step, over=True, absent=absent, manifest=self._by_agents
         )
+
+    @property
+    def is_over(self) -> bool:
+        """Tell whether the mission ends with the tick that was closed last, before the world's last one."""
+        return self._world.end.is_over(self._world.clock.stamp(self._tick))
 
     def hear(self, stamped: Stamped) -> None:
         """Take in a command that has arrived."""
@@ -136,6 +144,13 @@ class WorldTurns:
 
     def _collect(self, batch: Batch) -> None:
         self._said.extend(batch)
+
+    def _listen_for_the_end(self) -> Sequence[str]:
+        end = self._world.end
+        if not end.is_awaited:
+            return ()
+        self._dispatcher.subscribe(end.SUBSCRIPTION, end.hear)
+        return (end.SUBSCRIPTION.topic,)
 
     def _listen(self, robots: Sequence[str], wish: Subscription, tell: Callable[[TeamHeard], None]) -> Sequence[str]:
         hearing = _Hearing(robots, tell)

@@ -45,6 +45,9 @@ class EmbeddedRun:
         self.clock = self._world.clock
         self.last_tick = self._world.last_tick
         self.bus = self._world.bus
+        self._end = self._world.end
+        if self._end.is_awaited:
+            self.bus.node("/end").subscribe(self._end.SUBSCRIPTION, self._end.hear)
         self._paused: Set[str] = set()
         try:
             self._team: Team = build_team(mission, self._world.seed, self._simulation, self.bus, manager, change=change)
@@ -90,6 +93,10 @@ class EmbeddedRun:
         self.bus.deliver(now)
         self._decide(tick, now)
         self._world.act(now)
+
+    def is_over(self, tick: int) -> bool:
+        """Tell whether the mission ends with a tick that has passed, before ``last_tick``."""
+        return self._end.is_over(self.clock.stamp(tick))
 
     def _heed_faults(self) -> None:
         for robot_id, offset in self._simulation.clock_offsets.items():

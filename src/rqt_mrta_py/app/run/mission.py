@@ -47,7 +47,7 @@ def run_mission(host: Host, request: RunRequest, progress: Callable[[float, floa
                         run.step(tick)
                     watcher.end_tick(tick)
                     progress(tick / rate, duration)
-                    if interrupt.requested:
+                    if interrupt.requested or run.is_over(tick):
                         break
                 results = watcher.finish()
             return stopwatch.result(plan.folder, results, interrupt, processes)

@@ -99,6 +99,7 @@ class Watch:
         """
         self._plan = plan
         self._bag = bag
+        self._tick = -1
         self._node = bus.node("/supervisor")
         bus.tap(self.hear)
         self.abandoned = False
@@ -140,9 +141,10 @@ class Watch:
     def _end_tick(self, tick: int) -> None:
         plan, observation, pictures = self._plan, self._plan.observation, self._plan.pictures
         now = plan.clock.stamp(tick)
+        self._tick = tick
         self._publish(observation.news(), now)
         last = tick == plan.last_tick
-        state_is_due = last or tick % (STATE_PERIOD * plan.clock.rate) == 0
+        state_is_due = last or self._is_state_due(tick)
         picture_is_due = pictures is not None and pictures.due(tick)
         if state_is_due or picture_is_due:
             view = observation.view(now)
@@ -153,9 +155,24 @@ class Watch:
         if pictures is not None:
             self._publish(pictures.placed_at(tick, last), now)
 
+    def _is_state_due(self, tick: int) -> bool:
+        return tick % (STATE_PERIOD * self._plan.clock.rate) == 0
+
+    def _end_early(self) -> None:
+        """Say after a tick that has become the last what is said at the planned one."""
+        tick, pictures, observation = self._tick, self._plan.pictures, self._plan.observation
+        now = self._plan.clock.stamp(tick)
+        if not self._is_state_due(tick):
+            view = observation.view(now)
+            self._publish([observation.team_state(view), team_markers(view, now)], now)
+        if pictures is not None:
+            self._publish(pictures.placed_at(tick, True), now)
+
     def finish(self) -> Results:
         """Close the bag and write the results."""
         plan = self._plan
+        if 0 <= self._tick < plan.last_tick:
+            self._end_early()
         with plan.patience.at_work("the end of the mission"):
             results = self._finish(plan)
             figures = figures_of(plan.figures, results.record)

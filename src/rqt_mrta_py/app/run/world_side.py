@@ -9,6 +9,7 @@ from rqt_mrta_py.app.guard import makers
 from rqt_mrta_py.app.mission_message import mission_message
 from rqt_mrta_py.app.run.chance import Purpose, generator, link_generator
 from rqt_mrta_py.app.run.clock import RunClock
+from rqt_mrta_py.app.run.ending import MissionEnd
 from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.hooks import Codec, Outgoing, TeamOutgoing
 from rqt_mrta_py.hooks.manager import PluginManager
@@ -35,6 +36,7 @@ class WorldSide:
         last_tick: of the mission.
         simulation: world, robots, events.
         bus: carries what is told.
+        end: of the mission, to be told how tasks go.
 
     Args:
         mission: with a scenario and a seed.
@@ -77,6 +79,7 @@ class WorldSide:
         self._world_node = self.bus.node("/simulation")
         self._operator_node = self.bus.node("/operator")
         self._tasks = {task.id: task for task in mission.every_task}
+        self.end = MissionEnd(mission)
         self._driver_of: Mapping[str, Node] = {}
 
     def speak_through(self, drivers: Mapping[str, Node]) -> None:
@@ -97,6 +100,7 @@ class WorldSide:
             order = order_of(event, self._tasks.get(event.task or ""), now)
             if order is not None:
                 self._operator_node.publish(order, now)
+                self.end.take_in(order.fields["task_id"], order.fields["progress"], now)
 
     def tell(self, tick: int, now: float) -> None:
         """Tell the time, where loose bodies are, and what sensors measure; arguments as of ``happen``."""

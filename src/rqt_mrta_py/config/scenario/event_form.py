@@ -38,6 +38,11 @@ def _parameters(*keys: Key) -> Key:
 _FORMS: Tuple[Tuple[ScenarioEventKind, str, Tuple[Key, ...]], ...] = (
     (ScenarioEventKind.ROBOT_STOPS, "A robot stands still and falls silent on all its topics.", (_ROBOT,)),
     (ScenarioEventKind.ROBOT_RETURNS, "A stopped robot is back; it undoes one stop.", (_ROBOT,)),
+    (
+        ScenarioEventKind.ROBOT_REMOVED,
+        "A robot is taken off the floor for good, with what it holds; an operator tells so on /mrta/robot_removed.",
+        (_ROBOT,),
+    ),
     (ScenarioEventKind.ROBOT_STICKS, "A robot stands still, whatever it is commanded, but is heard.", (_ROBOT,)),
     (ScenarioEventKind.ROBOT_COMES_FREE, "A stuck robot can move again; it undoes one sticking.", (_ROBOT,)),
     (

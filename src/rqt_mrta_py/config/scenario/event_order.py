@@ -50,11 +50,11 @@ def find_misfits(
     strangers = [EventProblem(index, *found) for index in order for found in _strangers(events[index], robots, tasks)]
     if strangers:
         return strangers
-    undoing, books = _Undoing(), _TaskBooks(events)
+    undoing, floor, books = _Undoing(), _Floor(), _TaskBooks(events)
     return [
         EventProblem(index, *found)
         for index in order
-        for found in (*undoing.enter(events[index]), *books.enter(events[index]))
+        for found in (*undoing.enter(events[index]), *floor.enter(events[index]), *books.enter(events[index]))
     ]
 
 
@@ -106,6 +106,23 @@ class _Undoing:
             yield "kind", _NOTHING_TO_UNDO[event.kind].format(robot=event.robot)
         else:
             self._begun[kind, event.robot] = begun - 1
+
+
+class _Floor:
+    """Which robots were taken off the floor, and when [s]."""
+
+    def __init__(self) -> None:
+        self._removed: Dict[str, float] = {}
+
+    def enter(self, event: ScenarioEvent) -> Iterator[Tuple[str, str]]:
+        """Let an event happen; yield key and message of what is wrong."""
+        if event.robot is None or event.task is not None:
+            return
+        if event.robot in self._removed:
+            since = self._removed[event.robot]
+            yield "robot", f"{event.robot!r} was removed for good at {since:g} s; let nothing happen to it afterwards"
+        elif event.kind is ScenarioEventKind.ROBOT_REMOVED:
+            self._removed[event.robot] = event.time
 
 
 class _TaskBooks:

@@ -115,7 +115,15 @@ SCENARIO_FILE = Table(
     "Everything that is simulated in one application.",
     (
         Key("world", ValueType.TEXT, "Name under which the world is registered.", default="bullet"),
-        Key("duration", ValueType.NUMBER, "Length of the mission.", "s", 60.0, above=0),
+        Key("duration", ValueType.NUMBER, "Length of the mission, at most.", "s", 60.0, above=0),
+        Key(
+            "linger",
+            ValueType.NUMBER,
+            "So long after all tasks have ended that can the mission ends; left out: it goes on to its duration.",
+            "s",
+            None,
+            0.0,
+        ),
         Key("control_rate", ValueType.WHOLE, "Control ticks a second.", "Hz", 20, minimum=1, maximum=1000),
         Key(
             "picture_period", ValueType.NUMBER, "Mission time between two monitor pictures; 0 for none.", "s", 1.0, 0.0

@@ -86,6 +86,7 @@ def read_scenario(
         planner=root.values["planner"],
         bodies=tuple(_body(row) for row in body_rows),
         dispensers=tuple(_dispenser(row) for row in dispenser_rows),
+        linger=root.values["linger"],
     )
 
 

@@ -81,6 +81,7 @@ def payload(given: ReportInput, colours: TaskColours) -> Dict[str, Any]:
                     [_ROBOT_STATES.index(each.state) for each in robot.states],
                 ),
                 "track": _track(tracks.get(robot.id), clock, resolution),
+                "gone": _gone(tracks.get(robot.id), clock),
             }
             for robot in record.robots[:MOST_ROWS]
         ],
@@ -176,6 +177,10 @@ def _near(values: Sequence[float]) -> List[float]:
     return [value for value in values if abs(value) < _FARTHEST]
 
 
+def _gone(track: Optional[RobotTrack], clock: _Clock) -> Optional[int]:
+    return None if track is None or track.gone is None else clock(track.gone)
+
+
 def _track(track: Optional[RobotTrack], clock: _Clock, resolution: float) -> Optional[str]:
     if track is None:
         return None
@@ -238,19 +243,22 @@ def _bodies(bodies: Sequence[BodyTrack], clock: _Clock, resolution: float) -> Li
     kinds = {kind: number for number, kind in enumerate(sorted({body.kind for body in bodies}))}
     told: List[Mapping[str, Any]] = []
     for body in bodies:
-        places = [place for place in body.places if abs(place[1]) < _FARTHEST and abs(place[2]) < _FARTHEST]
+        places = [place for place in body.places if abs(place.x) < _FARTHEST and abs(place.y) < _FARTHEST]
         if places:
             told.append(
                 {
                     "id": words(body.id),
                     "kind": words(body.kind),
                     "colour": kinds[body.kind] % len(BODY_COLOURS),
+                    "length": round(body.length, 3),
                     "width": round(body.width, 3),
                     "places": packed(
-                        [clock(place[0]) for place in places],
-                        [round(place[1] / resolution) for place in places],
-                        [round(place[2] / resolution) for place in places],
-                        [int(place[3]) for place in places],
+                        [clock(place.time) for place in places],
+                        [round(place.x / resolution) for place in places],
+                        [round(place.y / resolution) for place in places],
+                        [int(place.held) for place in places],
+                        [round(math.degrees(place.yaw)) for place in places],
+                        [round(min(place.lift, _FARTHEST) / resolution) for place in places],
                     ),
                 }
             )

@@ -6,6 +6,7 @@
 * ``robot``: what every robot is to the world, however it drives
 * ``wheeled_robot``: builds, drives and brakes one robot on two wheels
 * ``mecanum_robot``: builds, drives and brakes one on mecanum wheels, and moves its arm
+* ``removed_robot``: what is left of one that was taken away
 * ``fine_steps``: physics where builders are, in finer steps when it must be
 * ``loose_bodies``: what robots can push and carry; ``resting``: which of it lies still
 * ``sight``: what range finders can see, and where it is

@@ -13,7 +13,7 @@ from rqt_mrta_py.sim.bullet.robot import BulletRobot
 
 __all__ = ["FINE_STEP", "FineSteps"]
 
-FINE_STEP = 1 / 240
+FINE_STEP = 1 / 120
 """Of physics, while something is close to loose bodies, or those settle [s]."""
 _SETTLING = 3.0
 """So long a body that was set free settles in fine steps, unless it rests before [s]."""
@@ -65,6 +65,10 @@ class FineSteps:
     def stir(self, number: int) -> None:
         """Set a loose body free, and what stands on it, as something happens to it."""
         self._resting.stir(number)
+
+    def forget(self, number: int) -> None:
+        """Take a robot, or a body that was just stirred, out of the books."""
+        self._resting.forget(number)
 
     def step(self) -> None:
         """Let one tick pass."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Collection, Dict, Mapping, NamedTuple, Optional, Tuple
+from typing import Collection, Dict, List, Mapping, NamedTuple, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -153,6 +153,10 @@ class LooseBodies:
         bullet.resetBaseVelocity(number, _STILL, _STILL, physicsClientId=client)
         # PyBullet has put it among other fixed things, or those that move.
         self._collide_with_all(number)
+
+    def held_by(self, robot: int) -> List[str]:
+        """Give the ids of the bodies that are attached to a robot, by PyBullet's number of that."""
+        return [body_id for body_id, hold in self._holds.items() if hold.robot.body == robot]
 
     @property
     def numbers(self) -> Collection[int]:

@@ -97,6 +97,15 @@ class Resting:
                 self._free(each)
             waiting += [other for other, rest in self._fixed.items() if each in rest.bearers]
 
+    def forget(self, number: int) -> None:
+        """Take a robot or a body out of the books; PyBullet may give its number to another.
+
+        Args:
+            number: of the robot, or of a body that was just stirred.
+        """
+        self._robots -= {number}
+        self._ended = {pair for pair in self._ended if number not in pair}
+
     def watch(self) -> None:
         """Set free what something disturbs, after a step."""
         if not self._fixed:

@@ -16,6 +16,7 @@ from rqt_mrta_py.sim.bullet.fine_steps import FineSteps
 from rqt_mrta_py.sim.bullet.loose_bodies import LooseBodies
 from rqt_mrta_py.sim.bullet.mecanum_robot import MecanumRobot
 from rqt_mrta_py.sim.bullet.range_rays import Rays
+from rqt_mrta_py.sim.bullet.removed_robot import RemovedRobot
 from rqt_mrta_py.sim.bullet.robot import BulletRobot
 from rqt_mrta_py.sim.bullet.sight import Sight
 from rqt_mrta_py.sim.bullet.surroundings import build_surroundings
@@ -26,7 +27,7 @@ __all__ = ["BulletWorld"]
 
 _DRIVES = ("differential", "mecanum")
 _CAPABILITIES = frozenset(
-    {"arms", "attach", "bodies", "contacts", "freeze", "ranges", *(f"drive:{name}" for name in _DRIVES)}
+    {"arms", "attach", "bodies", "contacts", "freeze", "ranges", "remove", *(f"drive:{name}" for name in _DRIVES)}
 )
 _MOST_ROBOTS = 4000
 """Beyond, building and each tick take minutes."""
@@ -49,6 +50,7 @@ class BulletWorld:
         self._engine: Optional[Engine] = None
         self._robots: Dict[str, BulletRobot] = {}
         self._builders: Dict[str, MecanumRobot] = {}
+        self._armed: FrozenSet[str] = frozenset()
         self._rows: Dict[str, int] = {}
         self._names: Dict[int, str] = {}
         self._loose: Optional[LooseBodies] = None
@@ -88,6 +90,7 @@ class BulletWorld:
         self._names = build_surroundings(self._engine, setup.arena, setup.obstacles)
         self._robots = {robot.id: _built(self._engine, robot) for robot in setup.robots}
         self._builders = {name: robot for name, robot in self._robots.items() if isinstance(robot, MecanumRobot)}
+        self._armed = frozenset(self._builders)
         self._rows = {robot_id: row for row, robot_id in enumerate(self._robots)}
         self._sensor_heights = np.array([robot.model.sensor_height for robot in setup.robots], dtype=np.float64)
         self._names.update({robot.body: robot_id for robot_id, robot in self._robots.items()})
@@ -123,8 +126,10 @@ class BulletWorld:
         Raises:
             SimError: there is no such body.
         """
-        self._stir(self._bodies.number(body_id))
-        del self._names[self._bodies.remove(body_id)]
+        number = self._bodies.number(body_id)
+        self._stir(number)
+        self._bodies.remove(body_id)
+        self._forget(number)
 
     def attach(self, robot: str, body_id: str) -> None:
         """Fix a loose body to a robot in their present relative pose; until detached, the two do not collide.
@@ -156,6 +161,24 @@ class BulletWorld:
         else:
             self._robot(robot).release()
 
+    def remove_robot(self, robot: str) -> None:
+        """Take a robot off the floor for good, with what it holds; its pose stays as it was.
+
+        Raises:
+            SimError: no such robot.
+        """
+        removed = self._robot(robot)
+        if isinstance(removed, RemovedRobot):
+            return
+        for body_id in self._bodies.held_by(removed.body):
+            self.remove_body(body_id)
+        engine = self._running
+        self._robots[robot] = RemovedRobot(removed)
+        self._builders.pop(robot, None)
+        engine.bullet.removeBody(removed.body, physicsClientId=engine.client)
+        self._forget(removed.body)
+        self._has_moved = True
+
     def command(self, robot: str, actuator: str, value: Union[Twist, float]) -> None:
         """Set what a robot's base or arm shall do from the next step on, until the next command.
 
@@ -163,13 +186,15 @@ class BulletWorld:
             SimError: no such robot or actuator, or a value that is no finite twist or angle.
         """
         commanded = self._robot(robot)
-        if actuator == "arm" and robot in self._builders:
-            self._builders[robot].move_arm(check_angle(robot, value))
+        if actuator == "arm" and robot in self._armed:
+            angle = check_angle(robot, value)
+            if robot in self._builders:
+                self._builders[robot].move_arm(angle)
         else:
             commanded.command(check_twist(robot, actuator, value, "bullet"))
 
     def arm_angles(self) -> Mapping[str, float]:
-        """Give the angle of joint 1 of every robot that has an arm [rad], by the robot's id, in the setup's order."""
+        """Give the angle of joint 1 of every robot that has an arm and is there [rad], by id, in the setup's order."""
         return {robot_id: robot.arm_angle() for robot_id, robot in self._builders.items()}
 
     def step(self) -> None:
@@ -246,6 +271,11 @@ class BulletWorld:
         engine, self._engine = self._engine, None
         if engine is not None:
             engine.close()
+
+    def _forget(self, number: int) -> None:
+        del self._names[number]
+        if self._site is not None:
+            self._site.forget(number)
 
     def _stir(self, number: int) -> None:
         if self._site is not None:

@@ -19,6 +19,9 @@ from rqt_mrta_py.sim.planar.footprints import (
 
 __all__ = ["Crowd"]
 
+_DEEP = -1e6
+"""How high up what has been taken away is [m]."""
+
 
 class Crowd:
     """Robots in the setup's order, then loose bodies in the order of their adding, one a column of every array.
@@ -67,6 +70,12 @@ class Crowd:
         self._masses = np.delete(self._masses, row)
         self._holds = np.delete(self._holds, row, axis=1)
         self._note_carried()
+
+    def sink(self, robot: int) -> None:
+        """Take a robot away for good, its row staying: it is so far below the floor that it meets and shows nothing."""
+        self.is_frozen[robot] = True
+        self.footprints.low[robot] = self.footprints.high[robot] = _DEEP
+        self.lineup += 1
 
     def hold(self, robot: int, row: int) -> None:
         """Let a robot carry a body from now on, in their present relative pose."""

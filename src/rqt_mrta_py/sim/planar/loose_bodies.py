@@ -76,6 +76,13 @@ class LooseBodies:
             raise SimError(f"body {body_id}: not attached to any robot, so it cannot be detached")
         self._crowd.release(row)
 
+    def remove_held(self, robot_row: int) -> None:
+        """Take away what a robot carries."""
+        carrier = self._crowd.carrier
+        held = [name for name in self._bodies if carrier[self._row(name)] == robot_row]
+        for name in held:
+            self.remove(name)
+
     def states(self) -> Dict[str, BodyState]:
         """Give where every body is."""
         places = self._crowd.poses[:, self._crowd.robots :].T.tolist()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Dict, FrozenSet, Mapping, Optional, Sequence, Tuple, Union
+from typing import Dict, FrozenSet, Mapping, Optional, Sequence, Set, Tuple, Union
 
 import numpy as np
 
@@ -16,7 +16,9 @@ from rqt_mrta_py.sim.world_checks import check_drives, check_ids, check_numbers,
 
 __all__ = ["PlanarWorld"]
 
-_CAPABILITIES = frozenset({"attach", "bodies", "contacts", "freeze", "ranges", *(f"drive:{name}" for name in DRIVES)})
+_CAPABILITIES = frozenset(
+    {"attach", "bodies", "contacts", "freeze", "ranges", "remove", *(f"drive:{name}" for name in DRIVES)}
+)
 
 
 class PlanarWorld:
@@ -37,6 +39,7 @@ class PlanarWorld:
     def __init__(self) -> None:
         self._scene: Optional[Scene] = None
         self._rows: Dict[str, int] = {}
+        self._removed: Set[str] = set()
 
     @property
     def capabilities(self) -> FrozenSet[str]:
@@ -54,6 +57,7 @@ class PlanarWorld:
         check_drives(setup, "planar", DRIVES)
         self._scene = Scene(setup)
         self._rows = {robot.id: row for row, robot in enumerate(setup.robots)}
+        self._removed = set()
 
     def add_body(self, body: Body) -> None:
         """Put a loose body into the world.
@@ -94,7 +98,19 @@ class PlanarWorld:
             SimError: no such robot.
         """
         row = self._row(robot)
-        self._running.crowd.is_frozen[row] = frozen
+        if robot not in self._removed:
+            self._running.crowd.is_frozen[row] = frozen
+
+    def remove_robot(self, robot: str) -> None:
+        """Take a robot off the floor for good, with what it holds; its pose stays as it was.
+
+        Raises:
+            SimError: no such robot.
+        """
+        row = self._row(robot)
+        self._removed.add(robot)
+        self._running.bodies.remove_held(row)
+        self._running.crowd.sink(row)
 
     def command(self, robot: str, actuator: str, value: Union[Twist, float]) -> None:
         """Set what a robot's base shall do from the next step on, until the next command.

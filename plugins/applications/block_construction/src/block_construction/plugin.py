@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Mapping
 
+from block_construction.building.build_measure import BuildMeasure
 from block_construction.building.place_block import place_block
 from block_construction.exact.planner import EXACT
 from block_construction.experiments.benchmark import add_arguments, measure
@@ -11,12 +12,13 @@ from block_construction.learning.planner import LEARNERS
 from block_construction.mission.maker import BUILDING
 from block_construction.verbs.plan_build import PLAN_BUILD
 from block_construction.verbs.plan_structure import PLAN_STRUCTURE
-from rqt_mrta_py.hooks import AssemblyPlanner, BehaviourFactory, Benchmark, MissionMaker, Verb, hookimpl
+from rqt_mrta_py.hooks import AssemblyPlanner, BehaviourFactory, Benchmark, MeasureFactory, MissionMaker, Verb, hookimpl
 
 __all__ = [
     "mrta_register_assembly_planners",
     "mrta_register_behaviours",
     "mrta_register_benchmarks",
+    "mrta_register_measures",
     "mrta_register_mission_makers",
     "mrta_register_verbs",
 ]
@@ -39,6 +41,12 @@ def mrta_register_benchmarks() -> Mapping[str, Benchmark]:
     """Name the comparison with the source's tables."""
     about = "planning of block structures against the tables of the source and proved optima"
     return {"construction": Benchmark(about, add_arguments, measure)}
+
+
+@hookimpl
+def mrta_register_measures() -> Mapping[str, MeasureFactory]:
+    """Name what is measured of builds."""
+    return {"build": BuildMeasure}
 
 
 @hookimpl

@@ -38,7 +38,7 @@ painters.arena = () => {
   const svg = draw('svg', {viewBox: `0 0 ${arenaWidth} ${full}`, width: arenaWidth, height: full, role: 'img', 'aria-label': `The arena at ${seconds(look.now)}`});
   paintFloor(svg, plan);
   const places = tasks.filter((task) => task.place).map((task) => paintTask(svg, plan, task)).filter(Boolean);
-  for (const body of bodies) paintBody(svg, plan, body);
+  paintBodies(svg, plan);
   const seen = [];
   for (const robot of robots) {
     const pose = poseAt(robot, look.now);
@@ -88,14 +88,21 @@ function paintTask(svg, plan, task) {
   return {text: over ? `${data.names.stages[state]} ${task.id}` : task.id, x, y, radius: size, font: '11px', dress: `place-name halo${over ? ' over' : ''}`, may: over};
 }
 
-function paintBody(svg, plan, body) {
-  const at = lastUntil(body.places[0], look.now);
-  if (at < 0) return;
-  const x = plan.x(body.places[1][at] * data.resolution), y = plan.y(body.places[2][at] * data.resolution);
-  const half = Math.max(body.width * plan.scale / 2, 3);
-  const box = draw('rect', {x: x - half, y: y - half, width: 2 * half, height: 2 * half, class: `body b${body.colour}${body.places[3][at] ? ' held' : ''}`});
-  box.dataset.body = body.id;
-  svg.append(box);
+// What lies higher comes later, and is paler.
+function paintBodies(svg, plan) {
+  const there = bodies.map((body) => ({body, at: lastUntil(body.places[0], look.now)})).filter(({at}) => at >= 0);
+  for (const each of there) each.lift = each.body.places[5][each.at] * data.resolution;
+  there.sort((a, b) => a.lift - b.lift);
+  for (const {body, at, lift} of there) {
+    const x = plan.x(body.places[1][at] * data.resolution), y = plan.y(body.places[2][at] * data.resolution);
+    const ahead = Math.max(body.length * plan.scale / 2, 3), aside = Math.max(body.width * plan.scale / 2, 3);
+    const dress = `body b${body.colour}${body.places[3][at] ? ' held' : ''}`;
+    const box = {x: -ahead, y: -aside, width: 2 * ahead, height: 2 * aside, transform: `translate(${x} ${y}) rotate(${-body.places[4][at]})`};
+    const shape = draw('rect', {...box, class: dress});
+    shape.dataset.body = body.id;
+    svg.append(shape);
+    if (lift > 0 && !body.places[3][at]) svg.append(draw('rect', {...box, class: 'lifted', opacity: Math.min(lift / 0.3, 1) * 0.7}));
+  }
 }
 
 const wholeWay = (robot, plan) => Array.from(robot.track[0], (_, at) => `${at ? 'L' : 'M'}${plan.x(robot.track[1][at] * data.resolution).toFixed(1)},${plan.y(robot.track[2][at] * data.resolution).toFixed(1)}`).join('');

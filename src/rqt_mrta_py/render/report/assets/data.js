@@ -54,7 +54,7 @@ for (const each of allocations) {
   robots[each.robot].held.push(each);
   tasks[each.task].held.push(each);
 }
-const bodies = data.bodies.map((body) => ({...body, places: unpack(body.places, 4)}));
+const bodies = data.bodies.map((body) => ({...body, places: unpack(body.places, 6)}));
 const panels = data.panels.map((panel) => ({
   ...panel,
   groups: panel.groups.map((group) => ({
@@ -77,7 +77,7 @@ const taskState = (task, time) => {
 const heldAt = (held, time) => held.filter((each) => each.from <= time && (time < each.to || (each.outcome === 'open' && time <= each.to)));
 
 function poseAt(robot, time) {
-  if (!robot.track) return null;
+  if (!robot.track || (robot.gone !== null && time >= robot.gone)) return null;
   const [times, xs, ys, turns] = robot.track;
   const at = lastUntil(times, time);
   if (at < 0) return null;

@@ -6,5 +6,6 @@
 * ``follower``: velocities along a way; ``routes``, ``journey``: from one place to the next
 * ``actions``: the five of them; ``procedures``: the two, as tables of actions; ``performer`` carries them out
 * ``errand``: one task from setting out to standing off; ``place_block``: the behaviour
+* ``build_measure``: what came of it
 * ``state``: what a builder tells; ``seams``: what it asks about others and about ways
 """

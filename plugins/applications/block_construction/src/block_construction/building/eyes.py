@@ -10,13 +10,13 @@ from block_construction.building.slot import BlockTask
 from rqt_mrta_py.hooks import Heard, Perception, Subscription
 from rqt_mrta_py.model import Pose
 
-__all__ = ["DETECTIONS", "Eyes", "Seen", "lies_in"]
+__all__ = ["DETECTIONS", "LEVEL", "WITHIN", "Eyes", "Seen", "lies_in"]
 
 DETECTIONS = Subscription("detections", "rqt_mrta_py/Detections", ("detections",))
 
 WITHIN = 0.02
 """So near the middle of its slot a block lies in it [m]."""
-_LEVEL = 0.02
+LEVEL = 0.02
 """So near its height a block lies on its level [m]."""
 
 
@@ -37,7 +37,7 @@ class Seen(NamedTuple):
 def lies_in(seen: Seen, slot: BlockTask) -> bool:
     """Tell whether a block lies in a slot: within 2 cm of its middle, on its level, held by nobody."""
     beside = math.hypot(seen.x - slot.x, seen.y - slot.y)
-    return beside <= WITHIN and abs(seen.z - slot.z) <= _LEVEL and not seen.held
+    return beside <= WITHIN and abs(seen.z - slot.z) <= LEVEL and not seen.held
 
 
 class Eyes:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 from block_construction.building.errand import Errand, Helpers
@@ -14,7 +15,7 @@ from block_construction.building.procedures import TRAVEL_SPEED, assembly
 from block_construction.building.routes import way_length
 from block_construction.building.seams import Board, Solo
 from block_construction.building.site_map import SiteMap
-from block_construction.building.slot import BlockTask, block_task
+from block_construction.building.slot import KIND, BlockTask, block_task
 from block_construction.building.state import BuilderState, Teller
 from block_construction.diagram.block_set import BODY_HEIGHT, PITCH
 from block_construction.team.traffic import Post, Traffic
@@ -44,7 +45,6 @@ ODOMETRY = Subscription(
         "pose/pose/orientation/w",
     ),
 )
-KIND = "place_block"
 
 _STALE = 2.0
 _PLANNED_SPEED = 0.97 * TRAVEL_SPEED
@@ -90,11 +90,10 @@ class PlaceBlock:
         self._setup = setup
         self._arm: ArmModel = arm
         self._board = board or Solo()
-        self._slots = {task.id: (task, block_task(task)) for task in setup.tasks if task.kind == KIND}
+        self._slots: Dict[str, Tuple[Task, BlockTask]] = {}
         self._traffic: Dict[Tuple[Tuple[float, ...], float], Traffic] = {}
         self._site = SiteMap()
-        self._site.slots.update({slot.block: slot for _, slot in self._slots.values()})
-        self._numbers = {slot.block: name for name, (_, slot) in self._slots.items()}
+        self._numbers: Dict[int, str] = {}
         self._filter = PoseFilter()
         self._odometry: Optional[Heard] = None
         self._counted: Optional[Pose] = None
@@ -106,6 +105,11 @@ class PlaceBlock:
         self._commands: Sequence[Command] = _STILL
         self._twist = Twist()
         self._told: Dict[str, _Told] = {}
+        for task in setup.tasks:
+            if task.kind == KIND:
+                # What makes no sense is told when it is asked whether the task is applicable.
+                with suppress(ValueError):
+                    self._slot(task)
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Hear arm, magnet, odometry and detector, and what others say."""
@@ -117,9 +121,7 @@ class PlaceBlock:
         Raises:
             ValueError: the task's data make no sense, or the arm does not reach its level; says why.
         """
-        slot = self._slot(task)
-        for height in (BODY_HEIGHT / 2.0, slot.z):
-            assembly(self._arm, height, CENTRED.ahead)
+        self._slot(task)
         return perception.pose is not None and all(
             _is_fresh(perception, topic) for topic in (ARM_STATE.topic, MAGNET_STATE.topic)
         )
@@ -192,7 +194,10 @@ class PlaceBlock:
         """Read a task, once; raises ValueError as of ``applicable``."""
         known = self._slots.get(task.id)
         if known is None or known[0] is not task:
-            known = self._slots[task.id] = (task, block_task(task))
+            slot = block_task(task)
+            for height in (BODY_HEIGHT / 2.0, slot.z):
+                assembly(self._arm, height, CENTRED.ahead)
+            known = self._slots[task.id] = (task, slot)
             self._site.slots[known[1].block] = known[1]
             self._numbers[known[1].block] = task.id
         return known[1]

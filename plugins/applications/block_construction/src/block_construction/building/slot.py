@@ -9,7 +9,10 @@ from typing import Any, Mapping, NamedTuple, Tuple
 from block_construction.diagram.block_set import BODY_HEIGHT
 from rqt_mrta_py.model import Pose, Task
 
-__all__ = ["BlockTask", "Cell", "Fetch", "block_task"]
+__all__ = ["KIND", "BlockTask", "Cell", "Fetch", "block_task"]
+
+KIND = "place_block"
+"""Of tasks that place a block."""
 
 Cell = Tuple[int, int]
 """Column and row."""

@@ -5,4 +5,5 @@
 * ``rates``, ``remembered``, ``bounds``, ``extensions``, ``structures``, ``throughput``: parts of the assembly diagram;
   ``optima``: proved ones
 * ``plans``: of the execution plan, ``published_plans`` the source's tables of it
+* ``builds``, ``noise``: of simulated builds, ``published_builds`` the source's tables of them
 """

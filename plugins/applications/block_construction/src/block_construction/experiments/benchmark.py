@@ -10,7 +10,9 @@ from typing import Dict, Iterator, Sequence
 from team_measures.benchmark_parts import add_parts_argument, count, joined
 
 from block_construction.experiments.bounds import measure_parameters
+from block_construction.experiments.builds import measure_builds
 from block_construction.experiments.extensions import measure_extensions
+from block_construction.experiments.noise import measure_noise
 from block_construction.experiments.part import Options, Part
 from block_construction.experiments.plans import measure_plan_rates, measure_plans
 from block_construction.experiments.rates import measure_rates
@@ -31,6 +33,8 @@ PARTS: Dict[str, Part] = {
     "structures": Part("tower, dam, pyramid, station (tables 9, 11, 13, 15), and all optima", measure_structures),
     "plans": Part("execution plans by method", measure_plans),
     "plan-rates": Part("execution plans by PLA's rate and memory (table 8)", measure_plan_rates),
+    "builds": Part("structures put up by one robot (tables 10, 12, 14, 16)", measure_builds),
+    "noise": Part("builds under errors of poses (figure 48)", measure_noise),
     "throughput": Part("iterations a second", measure_throughput),
 }
 """All parts, by name, in the order of measuring."""

@@ -18,6 +18,7 @@ _MASS = 0.02
 _FRICTION = 0.8
 _CONTROL_RATE = 10
 _PICTURES = 30
+_LINGER = 10
 _MINUTE = 60.0
 
 
@@ -39,6 +40,7 @@ def scenario_text(
     lines = [
         "world: bullet",
         f"duration: {duration}",
+        f"linger: {_LINGER}",
         f"control_rate: {_CONTROL_RATE}",
         f"picture_period: {_PICTURES}",
         f"arena: {{min_x: 0.0, min_y: 0.0, max_x: {number(side)}, max_y: {number(side)}}}",

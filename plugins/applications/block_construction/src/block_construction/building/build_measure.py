@@ -1,0 +1,152 @@
+"""The measure ``build``: what was built, how exactly, and what fetching and placing took."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Dict, List, Optional, Sequence, Tuple
+
+from block_construction.building.eyes import LEVEL, WITHIN
+from block_construction.building.slot import KIND, BlockTask, block_task
+from block_construction.building.state import BUILDER_STATE, BUILDER_STATE_TYPE
+from rqt_mrta_py.hooks import Heard, MeasureSetup, Subscription
+from rqt_mrta_py.model import MissionRecord
+
+__all__ = ["BuildMeasure", "errors_of"]
+
+_STATES = Subscription(f"/@robot_id@/{BUILDER_STATE}", BUILDER_STATE_TYPE, ("task", "activity", "pose/x", "pose/y"))
+_BODIES = Subscription("/simulation/bodies", "rqt_mrta_py/Detections", ("detections",))
+_STRIDE = 0.01
+"""Ways are measured between spots so far apart [m]: noise of a robot that stands is no way."""
+_PAUSE = 2.0
+"""Of a robot that says nothing for so long nobody knows what it does [s]."""
+
+
+@dataclass
+class _Account:
+    """What robots spent on fetching or placing.
+
+    Attributes:
+        seconds: of time, waiting included [s].
+        metres: of way [m].
+    """
+
+    seconds: float = 0.0
+    metres: float = 0.0
+
+
+@dataclass
+class _Robot:
+    """What was heard of one robot last."""
+
+    task: str = ""
+    activity: str = "idle"
+    at: float = 0.0
+    spot: Tuple[float, float] = (math.nan, math.nan)
+    has_block: bool = False
+
+
+class BuildMeasure:
+    """Listens to builders and to where blocks are in the end; a Measure.
+
+    Fetching lasts from the beginning of a task until its block is drawn back from the supply place, placing from there
+    until the task ends: the source's manipulation and assembly. A block counts as placed if some body lies within 2 cm
+    of the middle of its slot and as high as its level is.
+
+    Args:
+        setup: whose mission may have tasks of kind ``place_block``; if it has none, nothing is heard.
+    """
+
+    def __init__(self, setup: MeasureSetup) -> None:
+        self._slots: Dict[str, BlockTask] = {}
+        for task in setup.mission.every_task:
+            if task.kind == KIND:
+                try:
+                    self._slots[task.id] = block_task(task)
+                except ValueError:
+                    continue
+        self._robots: Dict[str, _Robot] = {}
+        self._fetching, self._placing = _Account(), _Account()
+        self._waiting = 0.0
+        self._bodies: Sequence[Any] = ()
+
+    def subscriptions(self) -> Sequence[Subscription]:
+        """Hear builders and the simulation, if anything is built."""
+        return (_STATES, _BODIES) if self._slots else ()
+
+    def hear(self, heard: Heard) -> None:
+        """Take in one message."""
+        fields = heard.fields
+        if not heard.robot:
+            self._bodies = fields["detections"]
+            return
+        here = (fields["pose/x"], fields["pose/y"])
+        robot = self._robots.setdefault(heard.robot, _Robot())
+        elapsed = heard.receipt - robot.at
+        if robot.task and elapsed <= _PAUSE:
+            account = self._placing if robot.has_block else self._fetching
+            account.seconds += elapsed
+            if robot.activity == "waiting":
+                self._waiting += elapsed
+        self._drive(robot, here)
+        task, activity = fields["task"], fields["activity"]
+        if task != robot.task:
+            robot.has_block = activity == "placing"
+        elif robot.activity == "fetching" and activity != "fetching":
+            robot.has_block = True
+        elif robot.activity == "placing" and activity != "placing":
+            robot.has_block = False
+        robot.task, robot.activity, robot.at = task, activity, heard.receipt
+
+    def value(self, record: MissionRecord) -> Optional[Dict[str, Any]]:
+        """Give what was built.
+
+        Args:
+            record: not needed.
+
+        Returns:
+            ``blocks``: how many there are to be; ``placed``: how many lie in their slots in the end; ``mean_error`` and
+            ``max_error``: of those, from the middles of their slots [m], None where there are none; ``fetching`` and
+            ``placing``: ``seconds`` and ``metres`` of all robots together; ``waiting``: of these, so many seconds. None
+            where nothing is built.
+        """
+        if not self._slots:
+            return None
+        places = [tuple(body["position"][axis] for axis in "xyz") for body in self._bodies if not body["held"]]
+        errors = errors_of(list(self._slots.values()), places)
+        accounts = {
+            name: {"seconds": account.seconds, "metres": account.metres}
+            for name, account in (("fetching", self._fetching), ("placing", self._placing))
+        }
+        return {
+            "blocks": len(self._slots),
+            "placed": len(errors),
+            "mean_error": math.fsum(errors) / len(errors) if errors else None,
+            "max_error": max(errors, default=None),
+            **accounts,
+            "waiting": self._waiting,
+        }
+
+    def _drive(self, robot: _Robot, here: Tuple[float, float]) -> None:
+        way = math.dist(robot.spot, here)
+        if way >= _STRIDE and robot.task:
+            account = self._placing if robot.has_block else self._fetching
+            account.metres += way
+        if not way < _STRIDE:
+            robot.spot = here
+
+
+def errors_of(slots: Sequence[BlockTask], places: Sequence[Tuple[float, ...]]) -> List[float]:
+    """Give how far bodies lie from the middles of the slots that they lie in [m]; nothing of empty slots.
+
+    Args:
+        slots: where bodies belong.
+        places: x, y, z of bodies [m].
+    """
+    errors: List[float] = []
+    for slot in slots:
+        level = [math.dist(place[:2], (slot.x, slot.y)) for place in places if abs(place[2] - slot.z) <= LEVEL]
+        nearest = min(level, default=math.inf)
+        if nearest <= WITHIN:
+            errors.append(nearest)
+    return errors
