@@ -15,6 +15,9 @@ _Place = Tuple[float, float]
 _Covered = Collection[Tuple[int, int]]
 _SPACING = 0.10
 _MOST = 40
+_ROOM = 0.06
+"""Kept clear on both sides of a way beyond the clearance, for ways are found on a lattice, and hardly in a gap that is
+just wide enough [m]."""
 
 
 def wanted_way(traffic: Traffic, peer: Peer, covered: _Covered, peers: Sequence[Peer]) -> Tuple[_Place, ...]:
@@ -38,10 +41,15 @@ def wanted_way(traffic: Traffic, peer: Peer, covered: _Covered, peers: Sequence[
 
 
 def is_off(traffic: Traffic, place: _Place, corners: Sequence[_Place]) -> bool:
-    """Tell whether a robot at a place leaves a way clear."""
-    standing = (TimedPoint(0.0, *place),)
-    return math.dist(place, corners[0]) >= traffic.clearance and all(
-        is_apart(TimedPoint(0.0, *one), TimedPoint(1.0, *other), standing, traffic.clearance)
+    """Tell whether a robot at a place leaves a way clear, and room to find it.
+
+    Where the way begins, and its robot stands already, the clearance is enough.
+    """
+    begin, room = math.dist(place, corners[0]), traffic.clearance + _ROOM
+    if begin < traffic.clearance:
+        return False
+    return all(
+        is_apart(TimedPoint(0.0, *one), TimedPoint(1.0, *other), (TimedPoint(0.0, *place),), min(room, begin))
         for one, other in zip(corners, corners[1:])
     )
 
