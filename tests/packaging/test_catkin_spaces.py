@@ -82,7 +82,7 @@ def test_rospack_finds_every_package(space: Space) -> None:
     ("attribute", "names"),
     [
         ("architecture", ARCHITECTURES),
-        ("application", {"border_patrol", "cleanup", "target_visiting"}),
+        ("application", {"block_construction", "border_patrol", "cleanup", "target_visiting"}),
         ("plugin", PLUGINS),
     ],
 )

@@ -95,7 +95,8 @@ def test_users_package_stands_before_the_wheels(installed: Environment, tree: Pa
     command = [str(installed.folder / "bin/mrta"), "list", "applications", "--json"]
     listing = run(command, tmp_path, ROS_PACKAGE_PATH=str(tmp_path / "mine"))
     share = installed.folder / "share"
-    assert folders(listing) == {tmp_path / "mine/border_patrol", share / "cleanup", share / "target_visiting"}
+    wheels = {share / name for name in ("block_construction", "cleanup", "target_visiting")}
+    assert folders(listing) == {tmp_path / "mine/border_patrol", *wheels}
 
 
 def test_stub_finds_the_environment_that_it_was_installed_into(installed: Environment, tmp_path: Path) -> None:

@@ -231,3 +231,55 @@ def test_robot_without_arm_does_not_build():
     setup = BehaviourSetup("robot1", CARRIER, navigator=None, random=None)
     with pytest.raises(ValueError, match=r"^robot model carrier: tasks of kind place_block need a robot with an arm$"):
         PlaceBlock(setup)
+
+
+def test_block_that_does_not_fit_is_laid_down_by_a_wall_before_another_one_is_fetched():
+    first = a_task()
+    second = a_task(2, units=1)
+    builder = ToyBuilder(first, second)
+    builder.behaviour.start(first, builder)
+    until(builder, first, "fetching", "retreat")
+    until(builder, first, "driving")
+    builder.blocks["b2"] = (0.2, 0.2, 0.035)
+    assert builder.run(second).progress is Progress.DONE
+    x, y, z = builder.blocks["b1"]
+    assert min(x, y, 2.2 - x, 2.2 - y) == pytest.approx(0.12, abs=1e-3)
+    assert z == pytest.approx(0.035, abs=1e-3)
+    assert math.dist((x, y), (0.2, 0.2)) > 0.35
+    assert builder.logs() == [f"robot=robot1 task=block2 lays b1 down at ({x:.2f}, {y:.2f}) m"]
+    assert builder.blocks["b2"] == pytest.approx(SLOT, abs=5e-4)
+
+
+def test_builder_waits_a_minute_for_a_block_to_lie_ready():
+    task = a_task()
+    builder = ToyBuilder(task)
+    builder.blocks = {"far": (1.9, 1.9, 0.035)}
+    builder.behaviour.start(task, builder)
+    until(builder, task, "driving")
+    for _ in range(500):
+        builder.tick(task)
+    builder.blocks["b1"] = (0.2, 0.2, 0.035)
+    while builder.tick(task).progress is Progress.RUNNING:
+        pass
+    assert builder.blocks["b1"] == pytest.approx(SLOT, abs=5e-4)
+
+
+def test_empty_supply_fails_the_task_by_its_place():
+    task = a_task()
+    builder = ToyBuilder(task)
+    builder.blocks = {"far": (1.9, 1.9, 0.035)}
+    step = builder.run(task)
+    assert (step.progress, step.detail) == (
+        Progress.FAILED,
+        "no block of 3 units lies ready at (0.20, 0.20) m",
+    )
+
+
+def test_other_supply_place_is_tried_where_one_stays_empty():
+    task = a_task()
+    far = [2, 2.0, 2.0, math.atan2(0.9, 0.9)]
+    task = replace(task, data={**task.data, "supply": [*task.data["supply"], far]})
+    builder = ToyBuilder(task)
+    builder.blocks = {"b1": (2.0, 2.0, 0.035)}
+    assert builder.run(task).progress is Progress.DONE
+    assert builder.blocks["b1"] == pytest.approx(SLOT, abs=5e-4)

@@ -140,7 +140,7 @@ def test_throughput_is_iterations_over_processor_time() -> None:
 
 def test_every_part_says_what_it_measures() -> None:
     diagrams = ["parameters", "memory", "rates", "extensions", "structures"]
-    assert list(PARTS) == [*diagrams, "plans", "plan-rates", "builds", "noise", "throughput"]
+    assert list(PARTS) == [*diagrams, "plans", "plan-rates", "builds", "noise", "teams", "throughput"]
     assert all(part.help for part in PARTS.values())
 
 

@@ -3,10 +3,11 @@
 * ``slot``: what a task says of its block
 * ``pose_filter``: where the robot is; ``eyes``: what it sees; ``site_map``: what it makes of that
 * ``gripping``: where a block is at the magnet
-* ``follower``: velocities along a way; ``routes``, ``journey``: from one place to the next
-* ``team_journey``: the same among teammates; ``teamwork``: where they fetch and wait
+* ``follower``: velocities along a way; ``journey``: from one place to the next, ``team_journey``: among teammates
+* ``routes``: how far; ``travel``: all ways of one task; ``teamwork``: where teammates fetch and wait
 * ``actions``: the five of them; ``procedures``: the two, as tables of actions; ``performer`` carries them out
+* ``supply``: from where a block is fetched; ``laying``: where a block is laid that is of no use
 * ``errand``: one task from setting out to standing off; ``place_block``: the behaviour
 * ``build_measure``: what came of it
-* ``state``: what a builder tells; ``seams``: what it asks about others and about ways
+* ``state``: what a builder tells; ``seams``, ``helpers``: whom it asks about others and about ways
 """

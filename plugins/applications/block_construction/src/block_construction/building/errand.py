@@ -4,25 +4,25 @@ from __future__ import annotations
 
 import math
 from enum import Enum
-from typing import List, Mapping, NamedTuple, Optional, Tuple, Union
+from typing import List, Mapping, NamedTuple, Optional, Tuple
 
 from block_construction.building.eyes import Seen, lies_in
 from block_construction.building.gripping import CENTRED, Grip
-from block_construction.building.journey import Journey
+from block_construction.building.helpers import Helpers
+from block_construction.building.laying import spare_place
 from block_construction.building.performer import Felt, Outcome, Performer
 from block_construction.building.procedures import assembly, manipulation, withdrawal
-from block_construction.building.routes import nearest, stand_off, way_length
-from block_construction.building.seams import Board, Traffic
-from block_construction.building.site_map import Found, SiteMap, is_in_lane
+from block_construction.building.routes import way_length
+from block_construction.building.site_map import Found, is_in_lane
 from block_construction.building.slot import BlockTask, Fetch
 from block_construction.building.state import BuilderState
-from block_construction.building.team_journey import TeamJourney, dock_before
-from block_construction.building.teamwork import RECONSIDERED, Lingering, Team, choose_fetch
+from block_construction.building.supply import Supply
+from block_construction.building.travel import Travel
 from block_construction.diagram.block_set import BODY_HEIGHT
-from rqt_mrta_py.hooks import ArmModel, Perception
+from rqt_mrta_py.hooks import Perception
 from rqt_mrta_py.model import Pose, Progress, Twist
 
-__all__ = ["Errand", "Helpers", "Move"]
+__all__ = ["Errand", "Move"]
 
 _MOST_MISSES = 3
 """So often a grip is tried anew."""
@@ -32,26 +32,9 @@ _LOOKS = 2
 """What is seen so often is believed."""
 _LONGEST_LOOK = 5.0
 """A builder that sees nothing for so long takes it that it has no eyes [s]."""
+_SHUT_IN = "robots without anything to do leave no way"
 _ARM_UP = 0.05
 """The arm is up within so much of its highest angle [rad]."""
-
-
-class Helpers(NamedTuple):
-    """Whom a builder asks.
-
-    Attributes:
-        arm: of the robot.
-        traffic: about ways.
-        board: about others.
-        site: about blocks.
-        team: what only those ask who are not alone.
-    """
-
-    arm: ArmModel
-    traffic: Traffic
-    board: Board
-    site: SiteMap
-    team: Optional[Team] = None
 
 
 class Move(NamedTuple):
@@ -76,6 +59,8 @@ class Move(NamedTuple):
 
 class _Stage(Enum):
     WITHDRAWING = "withdrawing"
+    TO_SPARE_PLACE = "to_spare_place"
+    LAYING = "laying"
     TO_SUPPLY = "to_supply"
     FETCHING = "fetching"
     TO_SLOT = "to_slot"
@@ -89,7 +74,8 @@ class Errand:
 
     What goes wrong is noticed by magnet and eyes. A grip that misses is tried anew; a block that is lost on the way or
     does not stay in its slot is taken up again if it lies right before the slot, else another one is fetched; what
-    lies in the way into the slot ends the task, and is told.
+    lies in the way into the slot ends the task, and is told. What the robot holds and does not belong into the slot it
+    lays down by a wall first.
 
     Attributes:
         slot: what is to be placed.
@@ -111,16 +97,16 @@ class Errand:
         self._state = state
         self.grip = grip
         self._block = felt.held if grip is not None else ""
-        self._fetch: Optional[Fetch] = None
-        self._journey: Optional[Union[Journey, TeamJourney]] = None
-        self._lingering: Optional[Lingering] = None
-        self._chosen = -math.inf
+        self._supply = Supply(slot)
+        self._travel = Travel(helpers, slot, state)
         self._performer: Optional[Performer] = None
         self._misses = self._losses = self._looks = 0
         self._has_retaken = False
+        self._spare: Optional[Pose] = None
         self._since = felt.now
         self._logs: List[str] = []
-        self._stage = self._next = _Stage.TO_SUPPLY if grip is None else _Stage.TO_SLOT
+        begin = _Stage.TO_SLOT if grip is not None else _Stage.TO_SPARE_PLACE if felt.held else _Stage.TO_SUPPLY
+        self._stage = self._next = begin
         if self._is_arm_down(felt):
             self._withdraw(felt, self._next)
 
@@ -128,7 +114,7 @@ class Errand:
         """Give the ways that are left [m]; None if there is none."""
         if self._stage in (_Stage.PLACING, _Stage.CHECKING, _Stage.LINGERING):
             return 0.0
-        fetch = None if self._stage is _Stage.TO_SLOT else self._fetch
+        fetch = None if self._stage is _Stage.TO_SLOT else self._supply.fetch
         return way_length(self._helpers.traffic, pose, self.slot, self._helpers.site.covered, fetch)
 
     def step(self, perception: Perception, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> Move:
@@ -144,6 +130,8 @@ class Errand:
             move = self._go_to_supply(perception, felt, seen)
         elif stage is _Stage.TO_SLOT:
             move = self._go_to_slot(perception, felt, seen)
+        elif stage is _Stage.TO_SPARE_PLACE:
+            move = self._go_to_spare_place(perception, felt)
         elif stage is _Stage.CHECKING:
             move = self._check(felt, seen)
         elif stage is _Stage.LINGERING:
@@ -158,20 +146,37 @@ class Errand:
     def _go_to_supply(self, perception: Perception, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> Move:
         if self._is_taken(seen):
             return self._finish(felt, Progress.DONE, "its slot is taken already")
-        helpers, fetch = self._helpers, self._fetch
-        waits = self._journey is not None and self._journey.is_waiting and helpers.team is not None
-        if fetch is None or (waits and felt.now - self._chosen >= RECONSIDERED):
-            self._chosen, before = felt.now, fetch
-            fetch = self._fetch = self._choose(perception, felt)
-            self._journey = self._journey if fetch == before else None
-        if self._journey is None:
-            self._journey = self._set_out(fetch.facing)
-        if self._is_shut_in(self._journey, perception, felt):
-            return self._finish(felt, Progress.UNREACHABLE, "robots without anything to do leave no way")
-        twist = self._drive(self._journey, perception, felt, fetch.claim)
+        supply = self._supply
+        fetch = self._travel.choose(perception, felt, supply)
+        if fetch is None:
+            return self._finish(felt, Progress.FAILED, str(supply))
+        if self._travel.is_shut_in(perception, felt):
+            return self._finish(felt, Progress.UNREACHABLE, _SHUT_IN)
+        twist = self._travel.drive(perception, felt, fetch.facing, fetch.claim)
         if twist is not None:
-            return Move(twist, helpers.arm.highest, magnet=False)
-        return self._take(felt, fetch.facing, BODY_HEIGHT / 2.0)
+            return Move(twist, self._helpers.arm.highest, magnet=False)
+        if supply.has_block(felt.now, seen):
+            return self._take(felt, fetch.facing, BODY_HEIGHT / 2.0)
+        if supply.fetch is None:
+            self._leave(fetch)
+        return self._stand(felt)
+
+    def _go_to_spare_place(self, perception: Perception, felt: Felt) -> Move:
+        """Bring what does not belong into the slot out of everybody's way."""
+        if not felt.held:
+            return self._enter(_Stage.TO_SUPPLY, felt)
+        helpers = self._helpers
+        if self._spare is None:
+            self._spare = spare_place(helpers.site, helpers.traffic, felt.pose, self.slot.arena)
+            if self._spare is None:
+                return self._finish(felt, Progress.FAILED, f"holds {felt.held}, and finds no place to lay it down")
+            self._logs.append(f"lays {felt.held} down at ({self._spare.x:.2f}, {self._spare.y:.2f}) m")
+        twist = self._travel.drive(perception, felt, self._spare)
+        if twist is not None:
+            return Move(twist, helpers.arm.highest, magnet=True)
+        actions = assembly(helpers.arm, BODY_HEIGHT / 2.0, CENTRED.ahead)
+        self._performer = Performer(helpers.arm, actions, self._spare, CENTRED, felt.now)
+        return self._enter(_Stage.LAYING, felt)
 
     def _go_to_slot(self, perception: Perception, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> Move:
         helpers, slot = self._helpers, self.slot
@@ -179,11 +184,9 @@ class Errand:
             return self._lose(felt, "on the way", None)
         if self._is_taken(seen):
             return self._finish(felt, Progress.DONE, "its slot is taken already")
-        if self._journey is None:
-            self._journey = self._set_out(slot.facing)
-        if self._is_shut_in(self._journey, perception, felt):
-            return self._finish(felt, Progress.UNREACHABLE, "robots without anything to do leave no way")
-        twist = self._drive(self._journey, perception, felt, slot.claim)
+        if self._travel.is_shut_in(perception, felt):
+            return self._finish(felt, Progress.UNREACHABLE, _SHUT_IN)
+        twist = self._travel.drive(perception, felt, slot.facing, slot.claim)
         if twist is not None:
             return Move(twist, helpers.arm.highest, magnet=True)
         found = helpers.site.barring(slot, felt.held)
@@ -193,37 +196,9 @@ class Errand:
         self._performer = Performer(helpers.arm, assembly(helpers.arm, slot.z, grip.ahead), slot.facing, grip, felt.now)
         return self._enter(_Stage.PLACING, felt)
 
-    def _choose(self, perception: Perception, felt: Felt) -> Fetch:
-        helpers, slot = self._helpers, self.slot
-        if helpers.team is not None:
-            found = choose_fetch(helpers.team, slot, perception, felt.pose, helpers.site)
-            if found is not None:
-                return found
-        return nearest(helpers.traffic, felt.pose, slot, helpers.site.covered)
-
-    def _set_out(self, block: Pose) -> Union[Journey, TeamJourney]:
-        team = self._helpers.team
-        if team is None:
-            return Journey(self._helpers.traffic, self._helpers.board, stand_off(block))
-        return TeamJourney(team.traffic, team.board, dock_before(block), block.yaw)
-
-    def _is_shut_in(self, journey: Union[Journey, TeamJourney], perception: Perception, felt: Felt) -> bool:
-        site = self._helpers.site
-        return isinstance(journey, TeamJourney) and journey.is_shut_in(perception, felt.pose, site.covered)
-
-    def _drive(
-        self, journey: Union[Journey, TeamJourney], perception: Perception, felt: Felt, claim: str
-    ) -> Optional[Twist]:
-        """Claim where the way leads, and drive there once nobody else goes first; None once there."""
-        self._state.claims.setdefault(claim, felt.now)
-        if self._helpers.board.may_enter(perception, claim):
-            twist = journey.step(perception, felt.pose, self._helpers.site.covered)
-        else:
-            twist = journey.hold(felt.now, felt.pose)
-        self._state.way, self._state.action = journey.way, ""
-        self._state.goal = journey.goal if isinstance(journey, TeamJourney) else ()
-        self._state.activity = "waiting" if journey.is_waiting else "driving"
-        return twist
+    def _leave(self, fetch: Fetch) -> None:
+        self._state.claims.pop(fetch.claim, None)
+        self._travel.end()
 
     def _take(self, felt: Felt, block: Pose, height: float) -> Move:
         actions = manipulation(self._helpers.arm, height)
@@ -235,12 +210,14 @@ class Errand:
         if performer is None:
             raise RuntimeError(f"{stage.value} without a procedure")
         performed = performer.step(felt)
-        self._state.activity = "placing" if stage is _Stage.PLACING else "fetching"
+        self._state.activity = "placing" if stage in (_Stage.PLACING, _Stage.LAYING) else "fetching"
         self._state.action = performer.word
         if performed.outcome is Outcome.UNDER_WAY:
             return Move(performed.twist, performed.arm, performed.magnet)
         if performed.outcome is Outcome.DONE:
             return self._go_on(felt, performer.grip)
+        if performed.outcome is Outcome.LOST and stage is _Stage.LAYING:
+            return self._withdraw(felt, _Stage.TO_SUPPLY)
         if performed.outcome is Outcome.LOST:
             return self._lose(felt, f"while {self._state.activity}", None)
         if performed.outcome is Outcome.MISSED:
@@ -252,9 +229,11 @@ class Errand:
             return self._enter(self._next, felt)
         if self._stage is _Stage.PLACING:
             return self._enter(_Stage.CHECKING, felt)
+        if self._stage is _Stage.LAYING:
+            return self._enter(_Stage.TO_SUPPLY, felt)
         self.grip, self._block = grip, felt.held
-        if self._fetch is not None:
-            self._state.claims.pop(self._fetch.claim, None)
+        if self._supply.fetch is not None:
+            self._leave(self._supply.fetch)
         return self._enter(_Stage.TO_SLOT, felt)
 
     def _check(self, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> Move:
@@ -277,16 +256,10 @@ class Errand:
         return self._finish(felt, Progress.DONE, "")
 
     def _linger(self, perception: Perception, felt: Felt) -> Move:
-        """Make room for others, until there is more to do or another block waits for this one."""
         team = self._helpers.team
-        if team is None:
+        twist = None if team is None else self._travel.linger(perception, felt, team)
+        if twist is None:
             return self._finish(felt, Progress.DONE, "")
-        lingering = self._lingering = self._lingering or Lingering(team, self._state.task)
-        twist = lingering.step(perception, felt.pose, self._helpers.site)
-        if twist is None or lingering.journey is None:
-            return self._finish(felt, Progress.DONE, "")
-        self._state.way, self._state.goal = lingering.journey.way, lingering.journey.goal
-        self._state.activity, self._state.action = "idle", ""
         return Move(twist, self._helpers.arm.highest, magnet=False)
 
     def _miss(self, felt: Felt, block: Pose) -> Move:
@@ -304,7 +277,7 @@ class Errand:
         self._helpers.site.lose(self.slot.block)
         if self._losses > _MOST_LOSSES:
             return self._finish(felt, Progress.FAILED, text)
-        self.grip, self._fetch = None, None
+        self.grip, self._supply.fetch = None, None
         if found is not None and not self._has_retaken and self._is_in_reach(found):
             self._has_retaken = True
             self._logs.append(f"{text}; takes it up again")
@@ -346,7 +319,8 @@ class Errand:
         return felt.angle < self._helpers.arm.highest - _ARM_UP
 
     def _enter(self, stage: _Stage, felt: Felt) -> Move:
-        self._stage, self._since, self._looks, self._journey = stage, felt.now, 0, None
+        self._stage, self._since, self._looks = stage, felt.now, 0
+        self._travel.end()
         return self._stand(felt)
 
     def _stand(self, felt: Felt) -> Move:

@@ -6,9 +6,10 @@ import math
 from contextlib import suppress
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
-from block_construction.building.errand import Errand, Helpers
+from block_construction.building.errand import Errand
 from block_construction.building.eyes import DETECTIONS, Eyes
 from block_construction.building.gripping import CENTRED, Grip
+from block_construction.building.helpers import Helpers
 from block_construction.building.performer import Felt
 from block_construction.building.pose_filter import PoseFilter
 from block_construction.building.procedures import TRAVEL_SPEED, assembly

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import FrozenSet, Optional
+from typing import FrozenSet, Optional, Sequence
 
 from block_construction.building.gripping import CENTRED, stand_before
 from block_construction.building.procedures import STAND_OFF
@@ -43,11 +43,19 @@ def way_length(
     return None if fetching is None or placing is None else fetching + placing
 
 
-def nearest(traffic: Traffic, pose: Pose, slot: BlockTask, covered: FrozenSet[Cell]) -> Fetch:
-    """Give the supply place with the shortest ways, of two alike the first; arguments as of ``way_length``."""
+def nearest(traffic: Traffic, pose: Pose, slot: BlockTask, places: Sequence[Fetch], covered: FrozenSet[Cell]) -> Fetch:
+    """Give the supply place with the shortest ways, of two alike the first.
+
+    Args:
+        traffic: knows ways.
+        pose: of the robot.
+        slot: where the block is to be placed.
+        places: to choose from, at least one.
+        covered: what blocks lie on.
+    """
 
     def length(fetch: Fetch) -> float:
         found = way_length(traffic, pose, slot, covered, fetch)
         return math.inf if found is None else found
 
-    return min(slot.supply, key=length)
+    return min(places, key=length)

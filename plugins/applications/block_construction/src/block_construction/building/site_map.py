@@ -12,7 +12,7 @@ from block_construction.building.slot import BlockTask, Cell, Fetch
 from block_construction.diagram.block_set import PITCH
 from rqt_mrta_py.model import Pose
 
-__all__ = ["Found", "SiteMap", "cells_around", "is_in_lane", "is_near"]
+__all__ = ["Found", "SiteMap", "cells_around", "is_in_lane", "is_near", "is_ready"]
 
 _LOOKS = 2
 """A block is gone after it was seen elsewhere so often."""
@@ -53,6 +53,7 @@ class SiteMap:
         slots: of all blocks that are known, by number.
         placed: numbers of the blocks that this robot has seen in their slots.
         missing: of those that it has found gone.
+        loose: blocks that were seen where none belongs, by id.
     """
 
     def __init__(self) -> None:
@@ -60,7 +61,7 @@ class SiteMap:
         self.placed: Set[int] = set()
         self.missing: Set[int] = set()
         self._others: FrozenSet[int] = frozenset()
-        self._loose: Dict[str, Seen] = {}
+        self.loose: Dict[str, Seen] = {}
         self._loose_cells: FrozenSet[Cell] = frozenset()
         self._slot_of: Dict[str, int] = {}
         self._astray: Dict[str, int] = {}
@@ -70,6 +71,11 @@ class SiteMap:
     def standing(self) -> FrozenSet[int]:
         """Numbers of the blocks that stand, as far as anybody knows."""
         return (self._others - self.missing) | self.placed
+
+    @property
+    def supply(self) -> FrozenSet[Fetch]:
+        """Where blocks are fetched."""
+        return frozenset(fetch for slot in self.slots.values() for fetch in slot.supply)
 
     @property
     def covered(self) -> FrozenSet[Cell]:
@@ -128,7 +134,7 @@ class SiteMap:
                 self._slot_of[name] = number
             elif not self._is_ready(each):
                 loose[name] = each
-        self._loose = loose
+        self.loose = loose
         cells = self._cells(loose)
         if cells != self._loose_cells:
             self._loose_cells, self._covered = cells, None
@@ -143,19 +149,16 @@ class SiteMap:
         """
         inside = [
             (math.hypot(each.x - slot.x, each.y - slot.y), name)
-            for name, each in self._loose.items()
+            for name, each in self.loose.items()
             if name != held and is_in_lane(each, slot)
         ]
         if not inside:
             return None
         name = min(inside)[1]
-        return Found(name, self._loose[name])
+        return Found(name, self.loose[name])
 
     def _is_ready(self, seen: Seen) -> bool:
-        return any(math.hypot(seen.x - each.x, seen.y - each.y) <= _READY for each in self._supply())
-
-    def _supply(self) -> FrozenSet[Fetch]:
-        return frozenset(fetch for slot in self.slots.values() for fetch in slot.supply)
+        return any(is_ready(seen, each) for each in self.supply)
 
     def _cells(self, loose: Mapping[str, Seen]) -> FrozenSet[Cell]:
         site = next((slot.site for slot in self.slots.values()), None)
@@ -177,6 +180,11 @@ def cells_around(seen: Seen, left: float, bottom: float) -> FrozenSet[Cell]:
         for place, edge in ((seen.x, left), (seen.y, bottom))
     )
     return frozenset((column, row) for column in columns for row in rows)
+
+
+def is_ready(seen: Seen, fetch: Fetch) -> bool:
+    """Tell whether a block lies ready at a supply place."""
+    return math.hypot(seen.x - fetch.x, seen.y - fetch.y) <= _READY and not seen.held
 
 
 def is_near(seen: Seen, slot: BlockTask) -> bool:
