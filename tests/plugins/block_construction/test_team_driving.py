@@ -80,11 +80,11 @@ def test_of_two_ways_announced_at_once_the_later_is_taken_back() -> None:
 
 
 def test_places_are_off_a_way_by_the_clearance_and_room_to_find_it() -> None:
-    """0.40 m and 0.06 m; at its beginning, where a robot stands already, 0.40 m are enough."""
+    """0.40 m and 0.045 m; at its beginning, where a robot stands already, 0.40 m are enough."""
     traffic = Traffic(2.2, SITE, 0.18, 0.03)
     way = ((0.3, 0.3), (1.3, 0.3))
-    assert is_off(traffic, (0.8, 0.77), way)
-    assert not is_off(traffic, (0.8, 0.75), way)
+    assert is_off(traffic, (0.8, 0.75), way)
+    assert not is_off(traffic, (0.8, 0.74), way)
     assert is_off(traffic, (1.77, 0.3), way)
     assert is_off(traffic, (0.3, 0.71), way)
     assert not is_off(traffic, (0.3, 0.69), way)

@@ -6,8 +6,8 @@ import math
 from dataclasses import dataclass
 from typing import Collection, List, Optional, Sequence, Tuple
 
-from block_construction.team.peers import Dock, Peer, peer_ways
-from block_construction.team.refuge import find_refuge, is_off, wanted_way
+from block_construction.team.peers import Dock, Peer, peer_ways, standing_places
+from block_construction.team.refuge import find_haven, find_refuge, is_off, wanted_way
 from block_construction.team.timed_way import TimedPoint, TimedWay, is_apart, place_at
 from block_construction.team.traffic import Traffic
 
@@ -117,13 +117,18 @@ class Driver:
             found = None if aside is None else (TimedPoint(now, *here), *aside)
         if found is not None:
             self.way = found
-        self._wait_for(dock, hinders=hinders and found is None)
+        self._wait_for(dock)
+        if hinders and found is None:
+            # Who cannot get away asks those to make way who stand between.
+            fixed = [way[0] for way in wanted] + list(standing_places([peer for peer in self._heard if peer.idle]))
+            haven = find_haven(self._traffic, here, covered, fixed, wanted)
+            self.goal = self.goal if haven is None else Dock(*haven, *haven)
         return self.way
 
-    def _wait_for(self, dock: Dock, *, hinders: bool = False) -> None:
-        # Nobody clears the way to a berth, but for those who hinder somebody and cannot get away.
+    def _wait_for(self, dock: Dock) -> None:
+        # Nobody clears the way to a berth.
         there = math.dist(self.way[-1][1:], dock.place) <= _THERE
-        self.goal = None if there or (dock.is_berth and not hinders) else dock
+        self.goal = None if there or dock.is_berth else dock
 
     def is_there(self, now: float, dock: Dock) -> bool:
         """Tell whether the way to a dock has ended."""
@@ -171,7 +176,9 @@ class Driver:
         waiting = [
             peer
             for peer in self._heard
-            if peer.goal and (peer.announced, peer.id) < own and now - peer.announced >= self._told.patience
+            if peer.goal
+            and (peer.goal.is_berth or (peer.announced, peer.id) < own)
+            and now - peer.announced >= self._told.patience
         ]
         waiting.sort(key=lambda peer: (peer.goal is not None and peer.goal.is_berth, peer.announced, peer.id))
         ways = (wanted_way(self._traffic, peer, covered, self._heard) for peer in waiting[:_MOST_HEEDED])

@@ -9,13 +9,13 @@ from block_construction.team.peers import Peer, peer_ways, standing_places
 from block_construction.team.timed_way import TimedPoint, TimedWay, is_apart
 from block_construction.team.traffic import Traffic
 
-__all__ = ["find_refuge", "is_off", "places_around", "wanted_way"]
+__all__ = ["find_haven", "find_refuge", "is_off", "places_around", "wanted_way"]
 
 _Place = Tuple[float, float]
 _Covered = Collection[Tuple[int, int]]
 _SPACING = 0.10
-_MOST = 40
-_ROOM = 0.06
+_MOST = 12
+_ROOM = 0.045
 """Kept clear on both sides of a way beyond the clearance, for ways are found on a lattice, and hardly in a gap that is
 just wide enough [m]."""
 
@@ -70,13 +70,38 @@ def find_refuge(
         The way there; None if there is none.
     """
     here, ways, tried = (start.x, start.y), peer_ways(peers), 0
+    standing = standing_places(peers)
     for place in places_around(traffic.side, here):
         if not (all(is_off(traffic, place, way) for way in wanted) and traffic.has_room(place, covered)):
+            continue
+        if traffic.length(here, place, covered, standing) is None:
             continue
         found = traffic.plan(here, place, start.time, covered, ways)
         tried += 1
         if found is not None or tried >= _MOST:
             return found
+    return None
+
+
+def find_haven(
+    traffic: Traffic, here: _Place, covered: _Covered, fixed: Sequence[_Place], wanted: Sequence[Sequence[_Place]]
+) -> Optional[_Place]:
+    """Find the nearest place off others' ways that could be got to if those who can move made way.
+
+    Args:
+        traffic: knows ways.
+        here: where the robot is [m].
+        covered: columns and rows of the structure that blocks lie on.
+        fixed: where those stand who cannot make way [m].
+        wanted: corners of the ways that are to be left clear.
+
+    Returns:
+        The place [m]; None if there is none.
+    """
+    for place in places_around(traffic.side, here):
+        is_clear = all(is_off(traffic, place, way) for way in wanted) and traffic.has_room(place, covered)
+        if is_clear and traffic.length(here, place, covered, fixed) is not None:
+            return place
     return None
 
 
