@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rqt_mrta_py.hooks import Curve, CurveGroup, CurvePanel, MonitorView
-from rqt_mrta_py.model import Arena, Event, Incident, Obstacle, Outcome, Pose, RobotState, Severity
+from rqt_mrta_py.hooks import Curve, CurveGroup, CurvePanel, MonitorView, SceneView
+from rqt_mrta_py.model import Arena, Event, Incident, Obstacle, Outcome, Pose, RobotState, Severity, Task, TaskState
 from rqt_mrta_py.render import draw_monitor
 from rqt_mrta_py.render.arena import Named, arena_part, draw_arena
 from rqt_mrta_py.render.canvas import Box, Canvas
@@ -192,6 +192,19 @@ def test_names_in_the_arena_never_meet_nor_leave_it(view: MonitorView) -> None:
     assert len(boxes) >= 5
     assert all(place.box.holds(box) for box in boxes)
     assert not any(one.meets(other) for one, other in combinations(boxes, 2))
+
+
+@pytest.mark.parametrize(("tasks", "named"), [(12, 12), (13, 2)])
+def test_of_many_tasks_only_those_are_named_that_are_not_over(tasks: int, named: int) -> None:
+    names = [f"t{number}" for number in range(tasks)]
+    done = [("robot1", name, 2.0 + number, 2.5 + number, Outcome.DONE) for number, name in enumerate(names[2:])]
+    held = [("robot1", names[1], 80.0, math.inf, Outcome.OPEN)]
+    record = views.record_of(["robot1"], names, [*done, *held], {}, 91.0)
+    assert sum(task.state is TaskState.DONE for task in record.tasks) == tasks - 2
+    places = tuple(Task(name, "go", Pose(-6.0 + number, 2.0)) for number, name in enumerate(names))
+    view = MonitorView("", "", 91.0, record, SceneView(Arena(-8.0, -4.0, 8.0, 4.0), (), (), places))
+    content = arena_part(Page.of(view), map_of(view), Named(frozenset(), frozenset()), ()).content
+    assert len(draw_arena(Canvas(np.zeros((HEIGHT, WIDTH, 3), np.uint8)), content)) == named
 
 
 def test_panels_never_meet_nor_leave_the_picture() -> None:

@@ -38,6 +38,9 @@ def test_time_axis_changes_to_minutes_and_hours() -> None:
     assert TimeAxis(0.0, 3600.0, 0.0, 1.0).unit == "min"
     assert TimeAxis(0.0, 3600.0, 0.0, 1.0).ticks(7)[1] == (600.0, "10")
     assert TimeAxis(0.0, 86400.0, 0.0, 1.0).unit == "h"
+    last_minute = TimeAxis(1741.0, 1801.0, 0.0, 1.0, zero=1.0)
+    assert [label for _, label in last_minute.ticks(4)] == ["29:00", "29:20", "29:40", "30:00"]
+    assert [label for _, label in TimeAxis(1741.0, 1801.0, 0.0, 1.0, zero=1.0).ticks(3)] == ["29", "29.5", "30"]
 
 
 @pytest.mark.parametrize("days", [11, 30, 400])

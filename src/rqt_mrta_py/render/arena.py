@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Dict, FrozenSet, List, Mapping, NamedTuple, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Callable, Dict, FrozenSet, List, Mapping, NamedTuple, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from rqt_mrta_py.render.bodies import draw_bodies, place_bodies
 from rqt_mrta_py.render.canvas import Box, Canvas, Point, Points, label_size
 from rqt_mrta_py.render.crowd import PlacedTeam, place_team, print_crowd, size_among
 from rqt_mrta_py.render.floor import ArenaMap, somewhere, without_places
+from rqt_mrta_py.render.foremost import ENDED
 from rqt_mrta_py.render.happenings import Condition
 from rqt_mrta_py.render.labels import LabelPlacer
 from rqt_mrta_py.render.layout import ARENA, inside
@@ -31,6 +32,8 @@ __all__ = ["Named", "arena_part", "draw_arena"]
 _NAME = Style(12, bold=True)
 _LONGEST_NAME = 130.0
 _TASK_SIZE, _SMALLEST_TASK = 8.0, 3.5
+_MOST_NAMED_TASKS = 12
+"""Of more tasks only those are named that are held, and those that are still to be done where there is room beside."""
 # More lines from robots to their tasks than these nobody could follow; rings around robots have the tasks' colours.
 _MOST_LINES = 150
 
@@ -43,12 +46,21 @@ class Named(NamedTuple):
 
 
 class _Name(NamedTuple):
-    """Something to be named: its name, where it is, its radius [pixels], the colour of the name."""
+    """Something to be named.
+
+    Attributes:
+        text: its name.
+        centre: where it is.
+        radius: of it [pixels].
+        colour: of the name.
+        near: whether the name is left out where there is no room beside it.
+    """
 
     text: str
     centre: Point
     radius: float
     colour: Colour
+    near: bool
 
 
 class _Arena(NamedTuple):
@@ -65,6 +77,7 @@ class _Arena(NamedTuple):
         named: who is named, if there are more than a few.
         trails: of a few robots, since the last whole second.
         bodies: loose ones.
+        over: ids of the tasks that have ended.
         empty: True if nothing is known of where anything is.
     """
 
@@ -78,6 +91,7 @@ class _Arena(NamedTuple):
     named: Named
     trails: Tuple[Stroke, ...]
     bodies: Tuple[BodySight, ...]
+    over: FrozenSet[str]
     empty: bool
 
 
@@ -102,6 +116,7 @@ def arena_part(page: Page, place: ArenaMap, named: Named, trails: Tuple[Stroke, 
         named,
         trails,
         scene.bodies,
+        frozenset(task.id for task in page.view.record.tasks if task.state in ENDED),
         without_places(scene),
     )
     return Part(place.box, content, draw_arena)
@@ -142,16 +157,7 @@ def draw_arena(whole: Canvas, arena: _Arena) -> Tuple[Box, ...]:
     else:
         noses = _draw_robots(canvas, team, arena.states, held_by)
     draw_bodies(canvas, carried)
-    names = [
-        _Name(task, point, task_size, mix(arena.colours[task], INK, 0.35))
-        for task, point in tasks.items()
-        if len(tasks) <= FEW or task in arena.named.tasks
-    ]
-    names += [
-        _Name(robot, centres[robot], float(team.radii[number]) + 4.0, INK)
-        for robot, number in team.places.items()
-        if not crowd or robot in arena.named.robots
-    ]
+    names = _names(arena, tasks, task_size, team, centres)
     badges = _draw_badges(arena.conditions, canvas, team)
     things = np.concatenate(
         (
@@ -162,9 +168,39 @@ def draw_arena(whole: Canvas, arena: _Arena) -> Tuple[Box, ...]:
             _around(badges, BADGE_RADIUS),
         )
     )
-    boxes = _draw_names(canvas, LabelPlacer(bounds, things), names, near=crowd or len(tasks) > FEW)
+    boxes = _draw_names(canvas, LabelPlacer(bounds, things), names)
     left, top = place.box.left, place.box.top
     return tuple(Box(b.left + left, b.top + top, b.right + left, b.bottom + top) for b in boxes)
+
+
+def _names(
+    arena: _Arena,
+    tasks: Mapping[str, Point],
+    task_size: float,
+    team: PlacedTeam,
+    centres: Mapping[str, Point],
+) -> Sequence[_Name]:
+    """Say what is named; who comes first has the choice of places."""
+    crowd, swarm = len(arena.robots) > FEW, len(tasks) > FEW
+    many = len(tasks) > _MOST_NAMED_TASKS
+    held = {task for _, task in arena.held}
+
+    def of_tasks(wanted: Callable[[str], bool], near: bool) -> List[_Name]:
+        return [
+            _Name(task, point, task_size, mix(arena.colours[task], INK, 0.35), near)
+            for task, point in tasks.items()
+            if wanted(task) and (not swarm or task in arena.named.tasks)
+        ]
+
+    robots = [
+        _Name(robot, centres[robot], float(team.radii[number]) + 4.0, INK, crowd or swarm)
+        for robot, number in team.places.items()
+        if not crowd or robot in arena.named.robots
+    ]
+    if not many:
+        return [*of_tasks(lambda task: True, crowd), *robots]
+    first = of_tasks(lambda task: task in held, crowd or swarm)
+    return [*first, *robots, *of_tasks(lambda task: task not in held and task not in arena.over, True)]
 
 
 def _draw_allocations(
@@ -247,11 +283,11 @@ def _around_corners(corners: Points) -> NDArray[np.float64]:
     return np.hstack((places.min(axis=0), places.max(axis=0))).reshape(1, 4)
 
 
-def _draw_names(canvas: Canvas, placer: LabelPlacer, names: Sequence[_Name], near: bool) -> Tuple[Box, ...]:
+def _draw_names(canvas: Canvas, placer: LabelPlacer, names: Sequence[_Name]) -> Tuple[Box, ...]:
     placed = []
     for name in names:
         text = shorten(name.text, _NAME, _LONGEST_NAME)
-        placement = placer.place(name.centre, name.radius, label_size(text, _NAME), near)
+        placement = placer.place(name.centre, name.radius, label_size(text, _NAME), name.near)
         if placement is None:
             continue
         if placement.far:

@@ -59,7 +59,7 @@ class TimeAxis(Axis):
             step = scale * _round_step(span / (most - 1) / scale)
         first = math.ceil((self.low - self.zero) / step - 1e-9)
         last = math.floor((self.high - self.zero) / step + 1e-9)
-        return tuple((self.zero + k * step, number(k * step / scale)) for k in range(first, last + 1))
+        return tuple((self.zero + k * step, _label(k * step, step, scale)) for k in range(first, last + 1))
 
     @property
     def unit(self) -> str:
@@ -70,6 +70,14 @@ class TimeAxis(Axis):
     def _scale(self) -> float:
         longest = self.high - self.zero
         return 1.0 if longest <= 900.0 else 60.0 if longest <= 4 * 3600.0 else 3600.0
+
+
+def _label(time: float, step: float, scale: float) -> str:
+    """Write a round time in its unit: whole and half ones as numbers, others as minutes and seconds or the like."""
+    if scale == 1.0 or (2.0 * step / scale).is_integer() or step < 1.0:
+        return number(time / scale)
+    whole, part = divmod(round(time * 60.0 / scale), 60)
+    return f"{whole}:{part:02d}"
 
 
 def mission_span(view: MonitorView) -> Tuple[float, float]:
