@@ -101,8 +101,8 @@ class PointBuilders:
     def __init__(self, build: Build, robots: int, seed: int = 0) -> None:
         problem = build.problem
         self.build, self.now = build, 0.0
-        posts = [Post(place.x, place.y, 0.12) for place in problem.places]
-        self.traffic = Traffic(2.2, problem.site, RADIUS, SPEED, posts=posts)
+        posts = [Post(place.x, place.y, 0.06) for place in problem.places]
+        self.traffic = Traffic(2.2, problem.site, RADIUS, SPEED, posts=posts, closed=robots > 1)
         chance = np.random.default_rng(seed)
         # Beside the supply docks, in the four sides' middles.
         starts = [(1.1, 0.25), (1.1, 1.95), (0.25, 1.1), (1.95, 1.1)]

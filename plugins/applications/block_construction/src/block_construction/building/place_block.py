@@ -55,7 +55,7 @@ ODOMETRY = Subscription(
 _STALE = 2.0
 PLANNED_SPEED = 0.97 * TRAVEL_SPEED
 """Ways are planned a little slower than the robot drives, so that it keeps up [m/s]."""
-_LYING = 0.10
+_LYING = 0.06
 """Radius of a block that lies ready [m]."""
 _COST_HOLDS = 2.0
 """What a task costs among teammates is not reckoned anew before so long [s]."""
@@ -222,7 +222,10 @@ class PlaceBlock:
             places = {fetch for _, other in self._slots.values() for fetch in other.supply}
             posts = posts_of([(fetch.x, fetch.y) for fetch in places])
             radius = self._setup.model.radius
-            self._traffic[key] = Traffic(slot.arena, slot.site, radius, PLANNED_SPEED, PITCH, posts=posts)
+            closed = isinstance(self._board, TeamBoard)
+            self._traffic[key] = Traffic(
+                slot.arena, slot.site, radius, PLANNED_SPEED, PITCH, posts=posts, closed=closed
+            )
         return self._traffic[key]
 
     def _team(self, slot: BlockTask) -> Optional[Team]:

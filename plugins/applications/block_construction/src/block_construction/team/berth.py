@@ -11,7 +11,7 @@ from block_construction.team.traffic import Traffic
 __all__ = ["find_berth"]
 
 _Place = Tuple[float, float]
-_INSET = 0.42
+_INSET = 0.38
 """From both walls of a corner to a berth: beside the supply place there, off the docks of the structure [m]."""
 _TAKEN = 3.0
 """What it counts that the way is not free yet [m]."""

@@ -29,6 +29,9 @@ class DriverSettings:
         pause: between two attempts to plan [s].
         detour: how much longer than alone a way may take at once; twice as much as it has waited is added [s].
         patience: after what time without a way the others clear a robot's way [s].
+        turn: after what time without a way a robot lets the others go first [s].
+        turn_apart: by how much later each robot of the team does so than the one before, by their ids, so that they do
+            not all do so at once [s].
         gain: by how much sooner it must be there to change its way [s].
         tolerance: by how much two robots may come nearer than planned before a way is taken back [m].
     """
@@ -37,6 +40,8 @@ class DriverSettings:
     pause: float = 1.0
     detour: float = 20.0
     patience: float = 20.0
+    turn: float = 60.0
+    turn_apart: float = 20.0
     gain: float = 4.0
     tolerance: float = 0.015
 
@@ -107,6 +112,8 @@ class Driver:
         if now < self.way[-1].time or now - self._tried < self._told.pause:
             return self.way
         self._tried = now
+        if now - self.way[-1].time >= self._turn():
+            self.way = (TimedPoint(now, *here),)
         wanted = self._wanted(now, dock, covered)
         found, hinders = None, not self._is_off(here, wanted)
         if not leads_there and all(self._is_off(place, wanted) for place in (dock.place, dock.ahead)):
@@ -119,9 +126,9 @@ class Driver:
             self.way = found
         self._wait_for(dock)
         if hinders and found is None:
-            # Who cannot get away asks those to make way who stand between.
-            fixed = [way[0] for way in wanted] + list(standing_places([peer for peer in self._heard if peer.idle]))
-            haven = find_haven(self._traffic, here, covered, fixed, wanted)
+            # Who cannot get away asks those to make way who stand between, but for the one that goes first of all.
+            fixed = [wanted[0][0], *standing_places([peer for peer in self._heard if peer.idle])]
+            haven = find_haven(self._traffic, here, covered, fixed, wanted[:1])
             self.goal = self.goal if haven is None else Dock(*haven, *haven)
         return self.way
 
@@ -133,6 +140,10 @@ class Driver:
     def is_there(self, now: float, dock: Dock) -> bool:
         """Tell whether the way to a dock has ended."""
         return bool(self.way) and math.dist(self.way[-1][1:], dock.place) <= _THERE and now >= self.way[-1].time
+
+    def _turn(self) -> float:
+        """Give for how long the robot insists on going first: who cannot be served may be what hinders the others [s]."""
+        return self._told.turn + self._told.turn_apart * sum(peer.id < self._robot_id for peer in self._heard)
 
     def _must_yield(self, now: float) -> bool:
         own = (self.way[0].time, self._robot_id)

@@ -51,6 +51,7 @@ class Traffic:
         posts: what else is driven around: supply places.
         margin: kept between two robots, beyond their radii [m].
         horizon: how far ahead is planned [s].
+        closed: whether nobody drives across the structure's site, built upon or not: a team would shut in whoever does.
 
     Attributes:
         side: of the arena [m].
@@ -68,9 +69,14 @@ class Traffic:
         posts: Sequence[Post] = (),
         margin: float = 0.04,
         horizon: float = 300.0,
+        closed: bool = False,
     ) -> None:
         self.side, self.clearance = side, 2.0 * radius + margin
         self._speed = speed
+        left, bottom, right, top = site
+        columns, rows = (round((end - begin) / pitch) for begin, end in ((left, right), (bottom, top)))
+        whole = frozenset((column, row) for column in range(1, columns + 1) for row in range(1, rows + 1))
+        self._closed: Optional[_Covered] = whole if closed else None
         self._floor = Floor(side, site, radius, pitch, posts)
         unit = self._floor.lattice.cell / (STRAIGHT * speed)
         self._unit, self._most = unit, max(1, math.ceil(horizon / unit))
@@ -102,7 +108,7 @@ class Traffic:
         Returns:
             The way, from ``start`` now; None if there is none for now.
         """
-        case = _Case(start, goal, beyond, now, frozenset(covered), tuple(others))
+        case = _Case(start, goal, beyond, now, self._blocked(covered), tuple(others))
         if not self._floor.has_room(goal, case.covered):
             return None
         straight = (TimedPoint(now, *start), TimedPoint(now + math.dist(start, goal) / self._speed, *goal))
@@ -113,7 +119,7 @@ class Traffic:
 
     def has_room(self, place: _Place, covered: Collection[Tuple[int, int]]) -> bool:
         """Tell whether walls and blocks leave a robot room at a place."""
-        return self._floor.has_room(place, frozenset(covered))
+        return self._floor.has_room(place, self._blocked(covered))
 
     def length(
         self, start: _Place, goal: _Place, covered: Collection[Tuple[int, int]], standing: Collection[_Place] = ()
@@ -135,7 +141,10 @@ class Traffic:
         self, start: _Place, goal: _Place, covered: Collection[Tuple[int, int]], standing: Collection[_Place] = ()
     ) -> Optional[Tuple[_Place, ...]]:
         """Give the corners of the way that ``length`` measures, its ends included."""
-        return self._corners(start, goal, frozenset(covered), tuple(sorted(standing)))
+        return self._corners(start, goal, self._blocked(covered), tuple(sorted(standing)))
+
+    def _blocked(self, covered: Collection[Tuple[int, int]]) -> _Covered:
+        return frozenset(covered) if self._closed is None else self._closed
 
     def _find_corners(
         self, start: _Place, goal: _Place, covered: _Covered, standing: Tuple[_Place, ...]
