@@ -36,6 +36,16 @@ def test_block_is_fetched_and_placed():
     assert builder.logs() == []
 
 
+def test_block_that_was_not_gripped_in_its_middle_is_placed_in_its_slot_all_the_same():
+    """It waits 8 mm aside of where it should, as a robot that errs so much about where it is would meet it."""
+    task = a_task()
+    builder = ToyBuilder(task)
+    aside = 0.008 * math.sqrt(0.5)
+    builder.blocks["b1"] = (0.2 - aside, 0.2 + aside, 0.035)
+    assert builder.run(task).progress is Progress.DONE
+    assert builder.blocks["b1"] == pytest.approx(SLOT, abs=5e-4)
+
+
 def test_cost_is_the_way_over_the_supply_place_to_the_slot():
     """From (1.1, 0.3) to (0.5889, 0.5889) and on to (1.02, 0.31): 0.587 m and 0.513 m, nothing being in the way."""
     task = a_task()

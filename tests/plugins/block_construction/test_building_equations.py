@@ -9,7 +9,7 @@ import pytest
 from block_construction.building.actions import Ending, Kind
 from block_construction.building.eyes import Seen, lies_in
 from block_construction.building.follower import Limits, Moment, go_to, lag, moment_of, towards
-from block_construction.building.gripping import CENTRED, Grip, grip_of, stand_before
+from block_construction.building.gripping import CENTRED, Grip, grip_of, stand_before, touching
 from block_construction.building.pose_filter import PoseFilter, composed, corrected_gain, moved, relative
 from block_construction.building.procedures import assembly, manipulation, withdrawal
 from block_construction.building.routes import stand_off
@@ -82,6 +82,12 @@ def test_interrupted_robot_goes_back_before_it_raises_its_arm():
 def test_level_that_the_arm_does_not_reach_is_refused():
     with pytest.raises(ValueError, match="the arm does not reach"):
         assembly(ARM, 0.395, 0.035)
+
+
+def test_no_block_is_held_nearer_than_where_it_touches_the_magnet():
+    """Its middle is half its width of 7 cm behind its face."""
+    assert touching(Grip(0.032, 0.01, 0.02)) == (0.035, 0.01, 0.02)
+    assert touching(Grip(0.041, 0.01, 0.02)) == (0.041, 0.01, 0.02)
 
 
 def test_grip_is_where_the_block_is_as_seen_from_the_magnet():

@@ -135,17 +135,21 @@ def test_builds_under_noise_stand_whole_only_with_every_block():
     report = measure_noise(Options(time.process_time, seeds=2, quick=True), laboratory)
     (table,) = report.tables
     rows = [dict(zip(table.columns, row)) for row in table.rows]
-    assert [(row["error up to [cm]"], row["source's cistern"]) for row in rows] == [
-        (0.0, None),
-        (pytest.approx(0.8), "stands"),
-        (2.0, "fails"),
-        (3.0, "fails"),
+    assert [(row["error up to [cm]"], row["lasts [s]"], row["source's cistern"]) for row in rows] == [
+        (0.0, None, None),
+        (pytest.approx(0.8), 0.0, "stands"),
+        (2.0, 0.0, "fails"),
+        (3.0, 0.0, "fails"),
+        (pytest.approx(0.8), 60.0, "stands"),
+        (2.0, 60.0, "fails"),
+        (3.0, 60.0, "fails"),
     ]
     assert rows[0]["stand whole"] == "100 % [34, 100]"
-    assert rows[3]["stand whole"] == "0 % [0, 66]"
+    assert rows[3]["stand whole"] == rows[6]["stand whole"] == "0 % [0, 66]"
+    assert {experiment.settings[2] for experiment in laboratory.experiments} == {"pose_hold=0.0", "pose_hold=60.0"}
     assert {experiment.seed for experiment in laboratory.experiments} == {1, 2}
-    (line,) = report.figures[0].charts[0].lines
-    assert (line.x, line.y) == (pytest.approx((0.0, 0.8, 2.0, 3.0)), (100.0, 100.0, 100.0, 0.0))
+    for line in report.figures[0].charts[0].lines:
+        assert (line.x, line.y) == (pytest.approx((0.0, 0.8, 2.0, 3.0)), (100.0, 100.0, 100.0, 0.0))
 
 
 def test_robots_are_as_near_as_they_come_until_one_is_removed():

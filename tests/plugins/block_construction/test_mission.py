@@ -188,6 +188,9 @@ def test_a_limited_stock_is_laid_out_as_such(host: Host, tmp_path: Path) -> None
 def test_pose_noise_is_that_of_localisers(host: Host) -> None:
     localiser = scenario(made(host, pose_noise="0.008"))["robot_defaults"]["sensors"][0]
     assert (localiser["kind"], localiser["uniform_noise"]) == ("localiser", 0.008)
+    assert "uniform_hold" not in localiser
+    lasting = scenario(made(host, pose_noise="0.008", pose_hold="60"))["robot_defaults"]["sensors"][0]
+    assert (lasting["uniform_noise"], lasting["uniform_hold"]) == (0.008, 60.0)
 
 
 def test_diagrams_and_plans_of_the_verbs_are_built(host: Host, tmp_path: Path) -> None:
@@ -249,6 +252,7 @@ WRONG = {
     "planner": (2, ["planner=best"], "planner=best: there is no such planner; accepted are exact, greedy, local, pla"),
     "method": (2, ["method=best"], "method=best: there is no such planner; accepted are "),
     "noise": (2, ["pose_noise=nan"], "pose_noise=nan: a number from 0 to 0.5 m is expected"),
+    "hold": (2, ["pose_hold=-1"], "pose_hold=-1: a number from 0 to 86400 s is expected"),
     "seed": (2, ["seed=-1"], "seed=-1: a whole number from 0 to 2^63 - 1 is expected"),
 }
 

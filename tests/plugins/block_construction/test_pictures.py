@@ -113,10 +113,13 @@ def test_bars_without_anything_of_the_source_leave_no_room_for_it() -> None:
 
 def test_the_share_of_whole_builds_is_drawn_over_the_noise_in_centimetres() -> None:
     """Wilson's interval of 20 of 20 begins at 83.9 %, that of 10 of 20 goes from 29.9 to 70.1 %."""
-    (chart,) = noise_curve("t", [NoisyBuilds(0.02, 10, 20), NoisyBuilds(0.008, 20, 20)]).charts
-    (line,) = chart.lines
+    series = {"brief": [NoisyBuilds(0.02, 10, 20), NoisyBuilds(0.008, 20, 20)], "lasting": [NoisyBuilds(0.02, 0, 20)]}
+    (chart,) = noise_curve("t", series).charts
+    line, lasting = chart.lines
     assert line.x == pytest.approx((0.8, 2.0))
     assert line.y == pytest.approx((100.0, 50.0))
     assert line.low == pytest.approx((83.9, 29.9), abs=0.05)
     assert line.high == pytest.approx((100.0, 70.1), abs=0.05)
-    assert line.label == "builds that stand whole, of 20 each"
+    assert (line.label, lasting.label) == ("brief", "lasting")
+    assert (lasting.x, lasting.y) == (pytest.approx((2.0,)), (0.0,))
+    assert chart.y_label == "builds that stand whole, of 20 each [%]"

@@ -29,7 +29,7 @@ def a_task(number: int = 1, level: int = 1, units: int = 3) -> Task:
 
 
 class ToyBuilder:
-    """One robot with the behaviour, and what there is around it; a block at its magnet goes where the magnet goes."""
+    """One robot with the behaviour, and what there is around it; a block is held where it was taken."""
 
     def __init__(self, *tasks: Task, board: Optional[Board] = None) -> None:
         self.now = 0.0
@@ -39,6 +39,7 @@ class ToyBuilder:
         self.magnet = False
         self.blocks: Dict[str, Tuple[float, float, float]] = {"b1": (0.2, 0.2, 0.035)}
         self.grips = True
+        self._aside = 0.0
         self.sees = True
         self.said: List[Outgoing] = []
         self._heard: Dict[str, Heard] = {}
@@ -101,18 +102,18 @@ class ToyBuilder:
         arm = MECANUM_ARM.arm
         assert arm is not None
         reach = arm.reach_at(self.angle) + 0.035
-        at = (
-            self.pose.x + reach * math.cos(self.pose.yaw),
-            self.pose.y + reach * math.sin(self.pose.yaw),
-            arm.height_at(self.angle),
-        )
+        cos, sin = math.cos(self.pose.yaw), math.sin(self.pose.yaw)
+        at = (self.pose.x + reach * cos, self.pose.y + reach * sin, arm.height_at(self.angle))
         if not self.magnet:
             self.held = ""
         elif self.held:
-            self.blocks[self.held] = at
+            self.blocks[self.held] = (at[0] - self._aside * sin, at[1] + self._aside * cos, at[2])
         elif self.grips:
             near = [name for name, place in self.blocks.items() if math.dist(place, at) < 0.02]
             self.held = near[0] if near else ""
+            if near:
+                x, y, _ = self.blocks[near[0]]
+                self._aside = cos * (y - at[1]) - sin * (x - at[0])
 
     def _sense(self) -> None:
         self._hear("arm/state", {"data": self.angle})

@@ -13,7 +13,7 @@ On one robot:
 
 and for them
 
-* ``ahead``: random numbers, drawn some measurements ahead
+* ``ahead``: random numbers, drawn some measurements ahead; ``lasting``: such that stay the same for a while
 * ``settings``: reads and checks what a scenario sets for a sensor
 """
 

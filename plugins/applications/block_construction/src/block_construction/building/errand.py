@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from enum import Enum
-from typing import List, Mapping, NamedTuple, Optional, Tuple
+from typing import Dict, List, Mapping, NamedTuple, Optional, Tuple
 
 from block_construction.building.eyes import Seen, lies_in
-from block_construction.building.gripping import CENTRED, Grip
+from block_construction.building.gripping import CENTRED, Grip, grip_of, touching
 from block_construction.building.helpers import Helpers
 from block_construction.building.laying import spare_place
 from block_construction.building.performer import Felt, Outcome, Performer
@@ -103,6 +103,7 @@ class Errand:
         self._misses = self._losses = self._looks = 0
         self._has_retaken = False
         self._spare: Optional[Pose] = None
+        self._grips: Dict[str, Grip] = {}
         self._since = felt.now
         self._logs: List[str] = []
         begin = _Stage.TO_SLOT if grip is not None else _Stage.TO_SPARE_PLACE if felt.held else _Stage.TO_SUPPLY
@@ -137,6 +138,7 @@ class Errand:
         elif stage is _Stage.LINGERING:
             move = self._linger(perception, felt)
         else:
+            self._look_at_magnet(felt, seen)
             move = self._perform(felt)
         if self._logs:
             move = move._replace(logs=tuple(self._logs))
@@ -196,6 +198,13 @@ class Errand:
         self._performer = Performer(helpers.arm, assembly(helpers.arm, slot.z, grip.ahead), slot.facing, grip, felt.now)
         return self._enter(_Stage.PLACING, felt)
 
+    def _look_at_magnet(self, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> None:
+        """Measure where blocks are at the magnet: it and the eyes are on one robot, wherever that believes to be."""
+        if seen is None or felt.held or self._stage is not _Stage.FETCHING:
+            return
+        reach, yaw = self._helpers.arm.reach_at(felt.angle), felt.pose.yaw
+        self._grips = {name: touching(grip_of(felt.pose, reach, Pose(*each[:2], yaw))) for name, each in seen.items()}
+
     def _leave(self, fetch: Fetch) -> None:
         self._state.claims.pop(fetch.claim, None)
         self._travel.end()
@@ -203,6 +212,7 @@ class Errand:
     def _take(self, felt: Felt, block: Pose, height: float) -> Move:
         actions = manipulation(self._helpers.arm, height)
         self._performer = Performer(self._helpers.arm, actions, block, CENTRED, felt.now)
+        self._grips = {}
         return self._enter(_Stage.FETCHING, felt)
 
     def _perform(self, felt: Felt) -> Move:
@@ -231,7 +241,7 @@ class Errand:
             return self._enter(_Stage.CHECKING, felt)
         if self._stage is _Stage.LAYING:
             return self._enter(_Stage.TO_SUPPLY, felt)
-        self.grip, self._block = grip, felt.held
+        self.grip, self._block = self._grips.get(felt.held, grip), felt.held
         if self._supply.fetch is not None:
             self._leave(self._supply.fetch)
         return self._enter(_Stage.TO_SLOT, felt)

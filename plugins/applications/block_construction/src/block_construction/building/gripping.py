@@ -8,7 +8,7 @@ from typing import NamedTuple
 from block_construction.diagram.block_set import BODY_WIDTH
 from rqt_mrta_py.model import Pose, wrap_angle
 
-__all__ = ["CENTRED", "Grip", "grip_of", "stand_before"]
+__all__ = ["CENTRED", "Grip", "grip_of", "stand_before", "touching"]
 
 
 class Grip(NamedTuple):
@@ -53,3 +53,8 @@ def stand_before(block: Pose, reach: float, grip: Grip) -> Pose:
     yaw = wrap_angle(block.yaw - grip.turn)
     ahead, cos, sin = reach + grip.ahead, math.cos(yaw), math.sin(yaw)
     return Pose(block.x - cos * ahead + sin * grip.aside, block.y - sin * ahead - cos * grip.aside, yaw)
+
+
+def touching(grip: Grip) -> Grip:
+    """Give a grip that was measured as it must be at least: no block is nearer than where it touches the magnet."""
+    return grip._replace(ahead=max(grip.ahead, CENTRED.ahead))

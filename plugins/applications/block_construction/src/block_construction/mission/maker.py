@@ -43,6 +43,7 @@ def make_build(request: MissionRequest) -> MadeMission:
             request.robots,
             expected=expected_total(drawn),
             pose_noise=settings.pose_noise,
+            pose_hold=settings.pose_hold,
         ),
     )
 

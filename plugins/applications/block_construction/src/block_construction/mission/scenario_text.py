@@ -33,7 +33,7 @@ def scenario_text(
         starts: where robots begin, one for each.
         robots: their ids.
         of: ``expected``: how long one robot is expected to build [s]; ``pose_noise``: greatest error of a robot's x and
-            y [m].
+            y [m]; ``pose_hold``: how long one such error lasts [s].
     """
     # Blocks may fall and be placed anew; whoever is done earlier only waits.
     duration = math.ceil((1.5 * of["expected"] + 300.0) / _MINUTE) * 60
@@ -49,7 +49,7 @@ def scenario_text(
         "robot_defaults:",
         f"  model: {MODEL}",
         "  sensors:",
-        *_sensors(of["pose_noise"]),
+        *_sensors(of["pose_noise"], of["pose_hold"]),
         "robots:",
         *(
             f"  - {{id: {robot}, start: {{x: {number(start.x)}, y: {number(start.y)}, yaw: {number(start.yaw)}}}}}"
@@ -68,9 +68,11 @@ def _dispenser(ready: Ready) -> str:
     )
 
 
-def _sensors(pose_noise: float) -> List[str]:
+def _sensors(pose_noise: float, pose_hold: float) -> List[str]:
     """List what every robot carries: where it is, what its wheels count (table 18), and blocks near it."""
     noise = f", uniform_noise: {number(pose_noise)}" if pose_noise else ""
+    if pose_noise and pose_hold:
+        noise += f", uniform_hold: {number(pose_hold)}"
     return [
         f"    - {{kind: localiser, topic: pose, rate: 10, position_noise: 0.0, heading_noise: 0.0{noise}}}",
         "    - {kind: odometry, topic: odom, rate: 10}",

@@ -13,6 +13,7 @@ __all__ = ["ORDERS", "SETTINGS", "BuildSettings", "read_build_settings"]
 
 ORDERS = ("plan", "free")
 _LARGEST_NOISE = 0.5
+_LONGEST_HOLD = 86400.0
 _FOR_EACH_SOURCE = {
     "plan": ("structure", "diagram", "method", "supply", "planner"),
     "diagram": ("structure", "method"),
@@ -34,6 +35,7 @@ SETTINGS = (
     ),
     MissionSetting("order", "plan (one block after the other) or free (what must lie before); default: by robots"),
     MissionSetting("pose_noise", "x and y that a robot is told are off by up to so much [m]", "0"),
+    MissionSetting("pose_hold", "for so long such an error lasts [s]; 0: each pose has its own", "0"),
     MissionSetting("seed", "of all chance in planning", "0"),
 )
 
@@ -51,6 +53,7 @@ class BuildSettings:
         planner: name of a method of planning builds; empty for the usual one.
         order: ``plan`` or ``free``.
         pose_noise: greatest error of a robot's x and y [m].
+        pose_hold: how long one such error lasts [s]; 0: each pose has its own.
         seed: of all chance in planning.
         given: names of those that the user has given.
     """
@@ -63,6 +66,7 @@ class BuildSettings:
     planner: str
     order: str
     pose_noise: float
+    pose_hold: float
     seed: int
     given: FrozenSet[str]
 
@@ -90,7 +94,8 @@ def read_build_settings(values: Mapping[str, str], given: FrozenSet[str], robots
         supply=values["supply"],
         planner=_one_of("planner", values["planner"], sorted(METHODS)) or "",
         order=_one_of("order", values["order"], ORDERS) or ("plan" if robots == 1 else "free"),
-        pose_noise=_noise(values["pose_noise"]),
+        pose_noise=_number("pose_noise", values["pose_noise"], _LARGEST_NOISE, "m"),
+        pose_hold=_number("pose_hold", values["pose_hold"], _LONGEST_HOLD, "s"),
         seed=_seed(values["seed"]),
         given=given,
     )
@@ -104,14 +109,14 @@ def _one_of(name: str, value: str, known: Sequence[str]) -> Optional[str]:
     return value
 
 
-def _noise(text: str) -> float:
+def _number(name: str, text: str, largest: float, unit: str) -> float:
     try:
-        noise = float(text)
+        number = float(text)
     except ValueError:
-        noise = math.nan
-    if not 0.0 <= noise <= _LARGEST_NOISE:
-        raise UsageError(f"pose_noise={text}: a number from 0 to {_LARGEST_NOISE:g} m is expected")
-    return noise
+        number = math.nan
+    if not 0.0 <= number <= largest:
+        raise UsageError(f"{name}={text}: a number from 0 to {largest:g} {unit} is expected")
+    return number
 
 
 def _seed(text: str) -> int:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Sequence
+from typing import Mapping, NamedTuple, Sequence
 
 from team_measures.statistics.estimates import Estimate, estimated_share
 from team_measures.statistics.tables import estimate_line
 
-from rqt_mrta_py.hooks import Chart, Figure
+from rqt_mrta_py.hooks import Chart, Figure, Line
 
 __all__ = ["NoisyBuilds", "noise_curve"]
 
@@ -26,23 +26,31 @@ class NoisyBuilds(NamedTuple):
     number: int
 
 
-def noise_curve(title: str, rows: Sequence[NoisyBuilds]) -> Figure:
+def noise_curve(title: str, series: Mapping[str, Sequence[NoisyBuilds]]) -> Figure:
     """Draw the share of builds that stand whole over the noise, with Wilson's 95 % confidence intervals.
 
     Args:
         title: above it.
-        rows: one for each noise, growing; plain tuples will do.
+        series: by what the noise is like, one row for each noise; plain tuples will do.
     """
-    listed = sorted(NoisyBuilds(*row) for row in rows)
-    shares = [estimated_share(row.whole, row.number) for row in listed]
+    listed = {name: sorted(NoisyBuilds(*row) for row in rows) for name, rows in series.items()}
+    numbers = _numbers([row.number for rows in listed.values() for row in rows])
+    # A little more than all, so that the mark of all is seen whole.
+    chart = Chart(
+        tuple([_line(name, rows) for name, rows in listed.items()]),
+        f"builds that stand whole, of {numbers} [%]",
+        bottom=0.0,
+        top=104.0,
+    )
+    return Figure("construction_noise", title, "poses off by up to, in x and y each [cm]", (chart,))
+
+
+def _line(name: str, rows: Sequence[NoisyBuilds]) -> Line:
+    shares = [estimated_share(row.whole, row.number) for row in rows]
     estimates = [
         each and Estimate(100.0 * each.value, 100.0 * each.low, 100.0 * each.high, each.number) for each in shares
     ]
-    label = "builds that stand whole, of " + _numbers([row.number for row in listed])
-    line = estimate_line(label, [100.0 * row.noise for row in listed], estimates)
-    # A little more than all, so that the mark of all is seen whole.
-    chart = Chart((line,), "builds that stand whole [%]", bottom=0.0, top=104.0)
-    return Figure("construction_noise", title, "poses off by up to, in x and y each [cm]", (chart,))
+    return estimate_line(name, [100.0 * row.noise for row in rows], estimates)
 
 
 def _numbers(numbers: Sequence[int]) -> str:
