@@ -94,9 +94,9 @@ def test_idle_robots_go_to_corners_that_nobody_wants() -> None:
     """From (0.9, 0.27) the lower left corner is nearest; if a teammate makes for it, the lower right one."""
     traffic = Traffic(2.2, SITE, 0.18, 0.03)
     covered = [(x, y) for x in range(1, 9) for y in range(1, 9)]
-    assert find_berth(traffic, (0.9, 0.27), covered, []) == (0.42, 0.42)
+    assert find_berth(traffic, (0.9, 0.27), covered, []) == (0.38, 0.38)
     waiting = Peer("robot2", (TimedPoint(0.0, 0.27, 1.1),), goal=Dock(0.589, 0.589, 0.5, 0.5))
-    assert find_berth(traffic, (0.9, 0.27), covered, [waiting]) == pytest.approx((1.78, 0.42))
+    assert find_berth(traffic, (0.9, 0.27), covered, [waiting]) == pytest.approx((1.82, 0.38))
 
 
 def test_blocks_are_fetched_where_no_teammate_stands() -> None:
@@ -119,3 +119,15 @@ def test_the_nearest_of_those_who_are_free_takes_a_turn() -> None:
     robots = {"robot1": (0.0, 0.0), "robot2": (1.0, 0.0), "robot3": (3.0, 0.0)}
     assert nearest_pairs(robots, {7: (0.9, 0.0), 8: (0.6, 0.0)}) == {"robot2": 7, "robot1": 8}
     assert nearest_pairs(robots, {}) == {}
+
+
+def test_who_waits_in_vain_lets_others_go_first_one_robot_after_the_other() -> None:
+    """60 s for the first robot by its id, 20 s more for each that comes before."""
+    traffic = Traffic(2.2, SITE, 0.18, 0.03)
+    dock = Dock(1.7, 0.27, 1.7, 0.27)
+    for name, other, turn in (("robot1", "robot2", 60), ("robot2", "robot1", 80)):
+        driver = Driver(name, traffic, 0.03)
+        there = [Peer(other, (TimedPoint(0.0, 1.7, 0.27),), idle=True)]
+        announced = {now: driver.steer(float(now), (0.3, 0.27), dock, (), there)[0].time for now in range(turn + 3)}
+        assert announced[turn - 1] == 0.0
+        assert announced[turn + 2] == pytest.approx(turn, abs=1.1)

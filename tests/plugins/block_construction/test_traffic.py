@@ -224,3 +224,18 @@ def test_ways_planned_one_after_another_never_come_nearer_than_the_clearance(
             dx = np.maximum(np.maximum(left - x, x - left - 0.08), 0.0)
             dy = np.maximum(np.maximum(bottom - y, y - bottom - 0.08), 0.0)
             assert np.hypot(dx, dy).min() >= RADIUS - 1e-3
+
+
+def test_nobody_drives_across_a_closed_site_even_before_anything_stands_there() -> None:
+    """From below to above: 1.66 m straight; around, past two corners that are kept 0.18 m away from."""
+    below, above = (1.1, 0.27), (1.1, 1.93)
+    site = (0.86, 0.78, 1.34, 1.42)
+    free, closed = (Traffic(2.2, site, 0.18, 0.03, closed=closed) for closed in (False, True))
+    assert free.length(below, above, ()) == pytest.approx(1.66)
+    length = closed.length(below, above, ())
+    assert length is not None
+    # By hand: two tangents of 0.534 m from (0.24, 0.51) m off, two arcs of 0.764 rad, 0.64 m along the side; ways on
+    # a lattice are a little longer.
+    assert 1.983 <= length < 2.1
+    assert closed.plan(below, (1.1, 1.1), 0.0, (), ()) is None
+    assert free.plan(below, (1.1, 1.1), 0.0, (), ()) is not None

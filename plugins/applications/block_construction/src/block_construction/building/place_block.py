@@ -56,7 +56,8 @@ _STALE = 2.0
 PLANNED_SPEED = 0.97 * TRAVEL_SPEED
 """Ways are planned a little slower than the robot drives, so that it keeps up [m/s]."""
 _LYING = 0.06
-"""Radius of a block that lies ready [m]."""
+"""What is kept clear around the middle of a block that lies ready across a corner: robots come by before it, and at
+its ends walls leave them no room [m]."""
 _COST_HOLDS = 2.0
 """What a task costs among teammates is not reckoned anew before so long [s]."""
 _REPEAT = 0.5

@@ -142,7 +142,7 @@ class Driver:
         return bool(self.way) and math.dist(self.way[-1][1:], dock.place) <= _THERE and now >= self.way[-1].time
 
     def _turn(self) -> float:
-        """Give for how long the robot insists on going first: who cannot be served may be what hinders the others [s]."""
+        """Give for how long the robot insists on its turn: whom nobody can serve may hinder all the others [s]."""
         return self._told.turn + self._told.turn_apart * sum(peer.id < self._robot_id for peer in self._heard)
 
     def _must_yield(self, now: float) -> bool:
