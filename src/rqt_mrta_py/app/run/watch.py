@@ -19,7 +19,7 @@ from rqt_mrta_py.app.outputs.pictures import PICTURE_TOPIC, PictureSchedule
 from rqt_mrta_py.app.outputs.report import ReportSource, bag_file, write_report
 from rqt_mrta_py.app.outputs.results import Results, write_results
 from rqt_mrta_py.app.run.clock import RunClock
-from rqt_mrta_py.hooks import Exporter, FigureMaker, Outgoing, Renderer
+from rqt_mrta_py.hooks import Exporter, FigureMaker, MonitorView, Outgoing, Renderer
 from rqt_mrta_py.hooks.patience import Patience
 from rqt_mrta_py.render import MARKERS_TOPIC, team_markers
 from rqt_mrta_py.supervisor import recorded_communication
@@ -149,11 +149,14 @@ class Watch:
         if state_is_due or picture_is_due:
             view = observation.view(now)
             if state_is_due:
-                self._publish([observation.team_state(view), team_markers(view, now)], now)
+                self._say_state(view, now)
             if pictures is not None and picture_is_due:
                 pictures.draw(tick, view)
         if pictures is not None:
             self._publish(pictures.placed_at(tick, last), now)
+
+    def _say_state(self, view: MonitorView, now: float) -> None:
+        self._publish([self._plan.observation.team_state(view), team_markers(view, now)], now)
 
     def _is_state_due(self, tick: int) -> bool:
         return tick % (STATE_PERIOD * self._plan.clock.rate) == 0
@@ -163,8 +166,7 @@ class Watch:
         tick, pictures, observation = self._tick, self._plan.pictures, self._plan.observation
         now = self._plan.clock.stamp(tick)
         if not self._is_state_due(tick):
-            view = observation.view(now)
-            self._publish([observation.team_state(view), team_markers(view, now)], now)
+            self._say_state(observation.view(now), now)
         if pictures is not None:
             self._publish(pictures.placed_at(tick, True), now)
 

@@ -6,7 +6,7 @@ import math
 from enum import Enum
 from typing import Dict, List, Mapping, NamedTuple, Optional, Tuple
 
-from block_construction.building.eyes import Seen, lies_in
+from block_construction.building.eyes import LONGEST_LOOK, Seen, lies_in
 from block_construction.building.gripping import CENTRED, Grip, grip_of, touching
 from block_construction.building.helpers import Helpers
 from block_construction.building.laying import spare_place
@@ -30,8 +30,6 @@ _MOST_LOSSES = 3
 """So many blocks may be lost on one errand."""
 _LOOKS = 2
 """What is seen so often is believed."""
-_LONGEST_LOOK = 5.0
-"""A builder that sees nothing for so long takes it that it has no eyes [s]."""
 _SHUT_IN = "robots without anything to do leave no way"
 _ARM_UP = 0.05
 """The arm is up within so much of its highest angle [rad]."""
@@ -248,7 +246,7 @@ class Errand:
 
     def _check(self, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> Move:
         if seen is None:
-            if felt.now - self._since > _LONGEST_LOOK:
+            if felt.now - self._since > LONGEST_LOOK:
                 return self._placed(felt)
             return self._stand(felt)
         found = seen.get(self._block)

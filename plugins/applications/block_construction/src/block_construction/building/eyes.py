@@ -10,7 +10,7 @@ from block_construction.building.slot import BlockTask
 from rqt_mrta_py.hooks import Heard, Perception, Subscription
 from rqt_mrta_py.model import Pose
 
-__all__ = ["DETECTIONS", "LEVEL", "WITHIN", "Eyes", "Seen", "lies_in"]
+__all__ = ["DETECTIONS", "LEVEL", "LONGEST_LOOK", "WITHIN", "Eyes", "Seen", "lies_in"]
 
 DETECTIONS = Subscription("detections", "rqt_mrta_py/Detections", ("detections",))
 
@@ -18,6 +18,8 @@ WITHIN = 0.02
 """So near the middle of its slot a block lies in it [m]."""
 LEVEL = 0.02
 """So near its height a block lies on its level [m]."""
+LONGEST_LOOK = 5.0
+"""A builder that sees nothing for so long takes it that it has no eyes [s]."""
 
 
 class Seen(NamedTuple):

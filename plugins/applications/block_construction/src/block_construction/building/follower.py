@@ -9,8 +9,12 @@ from typing import NamedTuple, Sequence
 from block_construction.team.timed_way import TimedPoint
 from rqt_mrta_py.model import Pose, Twist, wrap_angle
 
-__all__ = ["Limits", "Moment", "go_to", "lag", "moment_of", "towards"]
+__all__ = ["ARRIVED", "ASTRAY", "Limits", "Moment", "go_to", "lag", "moment_of", "towards"]
 
+ARRIVED = 0.01
+"""So near its end a way is over [m]."""
+ASTRAY = 0.06
+"""So far off its way a robot asks for another one [m]."""
 _GAIN = 2.0
 """Of what is off now, so much a second is made good [1/s]."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import FrozenSet, Optional
 
-from block_construction.building.follower import Limits, go_to, lag, moment_of, towards
+from block_construction.building.follower import ARRIVED, ASTRAY, Limits, go_to, lag, moment_of, towards
 from block_construction.building.procedures import TRAVEL_SPEED, TURN_RATE
 from block_construction.building.seams import Board, Traffic
 from block_construction.building.slot import Cell
@@ -16,10 +16,6 @@ from rqt_mrta_py.model import Pose, Twist
 __all__ = ["Journey"]
 
 _LIMITS = Limits(TRAVEL_SPEED, TURN_RATE)
-_ARRIVED = 0.01
-"""So near its end a way is over [m]."""
-_ASTRAY = 0.06
-"""So far off its way a robot asks for another one [m]."""
 _PATIENCE = 1.0
 """Where there is no way, it asks again after so long [s]."""
 
@@ -57,9 +53,9 @@ class Journey:
             The velocities; None once it is there, be it not turned yet.
         """
         now, goal = perception.now, self._goal
-        if math.hypot(goal.x - pose.x, goal.y - pose.y) <= _ARRIVED:
+        if math.hypot(goal.x - pose.x, goal.y - pose.y) <= ARRIVED:
             return None
-        is_astray = not self.way or self.is_waiting or lag(moment_of(self.way, now), pose) > _ASTRAY
+        is_astray = not self.way or self.is_waiting or lag(moment_of(self.way, now), pose) > ASTRAY
         if is_astray and now - self._asked >= _PATIENCE:
             self._asked = now
             others = self._board.others(perception)

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from typing import List, Mapping, Optional, Sequence
 
-from block_construction.building.eyes import Seen
+from block_construction.building.eyes import LONGEST_LOOK, Seen
 from block_construction.building.site_map import is_ready
 from block_construction.building.slot import BlockTask, Fetch
 
 __all__ = ["Supply"]
 
-_LONGEST_LOOK = 5.0
-"""A builder that sees nothing for so long takes it that it has no eyes [s]."""
 _PATIENCE = 60.0
 """So long it waits for a block to lie ready [s]."""
 
@@ -58,7 +56,7 @@ class Supply:
             self._arrived = now
         waited = now - self._arrived
         if seen is None:
-            return not self._has_looked and waited > _LONGEST_LOOK
+            return not self._has_looked and waited > LONGEST_LOOK
         self._has_looked = True
         if any(is_ready(each, fetch) for each in seen.values()):
             return True

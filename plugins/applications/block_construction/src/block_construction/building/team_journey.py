@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import FrozenSet, List, Optional, Tuple
 
-from block_construction.building.follower import Limits, go_to, lag, moment_of, towards
+from block_construction.building.follower import ARRIVED, ASTRAY, Limits, go_to, lag, moment_of, towards
 from block_construction.building.procedures import STAND_OFF, TRAVEL_SPEED, TURN_RATE
 from block_construction.building.routes import stand_off
 from block_construction.building.slot import BlockTask, Cell, Fetch
@@ -21,10 +21,6 @@ from rqt_mrta_py.model import Pose, Twist
 __all__ = ["TeamJourney", "dock_before", "team_trip"]
 
 _LIMITS = Limits(TRAVEL_SPEED, TURN_RATE)
-_ARRIVED = 0.01
-"""So near its end a way is over [m]."""
-_ASTRAY = 0.06
-"""So far off its way a robot asks for another one [m]."""
 _GIVES_UP = 90.0
 """Who has waited for so long looks whether there will be a way at all [s]."""
 _REACH = 0.40
@@ -92,13 +88,13 @@ class TeamJourney:
             The velocities; None once it is there, be it not turned yet.
         """
         now, driver, dock = perception.now, self._driver, self._dock
-        if not driver.way or lag(moment_of(driver.way, now), pose) > _ASTRAY:
+        if not driver.way or lag(moment_of(driver.way, now), pose) > ASTRAY:
             driver.stand(now, (pose.x, pose.y))
         self.way = driver.steer(now, (pose.x, pose.y), dock, covered, self._board.peers(perception))
         there = driver.is_there(now, dock)
         self.is_waiting = not there and now >= self.way[-1].time
         self._waits_since = min(self._waits_since, now) if self.is_waiting else math.inf
-        if there and math.hypot(dock.x - pose.x, dock.y - pose.y) <= _ARRIVED:
+        if there and math.hypot(dock.x - pose.x, dock.y - pose.y) <= ARRIVED:
             return None
         yaw = pose.yaw if self._yaw is None else self._yaw
         return towards(pose, moment_of(self.way, now), yaw, _LIMITS)
