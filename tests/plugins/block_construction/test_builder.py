@@ -177,37 +177,6 @@ def test_builder_without_eyes_trusts_its_magnet():
     assert builder.blocks["b1"] == pytest.approx(SLOT, abs=5e-4)
 
 
-def test_builder_waits_until_others_let_it_pass():
-    class Barred:
-        """Lets nobody pass to the supply until it is told to."""
-
-        allowed = False
-
-        def subscriptions(self):
-            return ()
-
-        def others(self, perception):
-            return ()
-
-        def placed(self, perception):
-            return frozenset()
-
-        def may_enter(self, perception, claim):
-            return self.allowed or not claim.startswith("supply")
-
-    task, board = a_task(), Barred()
-    builder = ToyBuilder(task, board=board)
-    builder.behaviour.start(task, builder)
-    begin = builder.pose
-    for _ in range(100):
-        builder.tick(task)
-    told = builder.states()[-1]
-    assert (told["activity"], told["claims"]) == ("waiting", ["supply:1"])
-    assert math.hypot(builder.pose.x - begin.x, builder.pose.y - begin.y) < 1e-3
-    board.allowed = True
-    until(builder, task, "fetching")
-
-
 @pytest.mark.parametrize(
     ("changes", "problem"),
     [

@@ -65,6 +65,15 @@ def test_noise_of_a_robot_that_stands_is_no_way():
     assert measure.value(None)["placing"]["metres"] == 0.0
 
 
+def test_collision_is_a_touch_that_begins():
+    measure = measure_of(a_task())
+    assert measure.value(None)["collisions"] is None
+    for robot, felt in (("robot1", (0, 1, 1, 0, 1)), ("robot2", (0, 0, 1, 1, 0))):
+        for now, data in enumerate(felt):
+            measure.hear(Heard(f"/{robot}/bumper", "", float(now), {"data": bool(data)}, robot=robot))
+    assert measure.value(None)["collisions"] == 3
+
+
 def test_silence_of_a_robot_is_not_counted():
     measure = measure_of(a_task())
     say(measure, 0.0, "block1", "driving", 0.0)

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, Dict, List, Optional
 
 import pytest
+from block_construction.building.team_journey import comes_nearer
 from block_construction.team.board import ROBOT_REMOVED, TeamBoard
 from block_construction.team.lingering import Placement, is_done
-from block_construction.team.peers import Dock, Peer
+from block_construction.team.peers import Dock, Peer, peer_ways
 from block_construction.team.timed_way import TimedPoint
 
 from rqt_mrta_py.hooks import Heard
-from rqt_mrta_py.model import Pose
+from rqt_mrta_py.model import Pose, Twist
 
 DOCKS = {"block1": Dock(1.0, 0.27, 1.0, 0.39), "block2": Dock(1.93, 1.1, 1.81, 1.1)}
 
@@ -47,7 +49,7 @@ def test_ways_of_teammates_lead_beyond_the_docks_where_they_work() -> None:
     ear.state("robot2", *way)
     (peer,) = board.peers(ear)
     assert (peer.way, peer.dock, peer.target, peer.idle) == (way, DOCKS["block1"], DOCKS["block1"], False)
-    assert len(board.others(ear)) == 2
+    assert len(peer_ways(board.peers(ear))) == 2
     ear.state("robot2", way[1], activity="waiting", goal=[1.93, 1.1, 1.81, 1.1])
     (peer,) = board.peers(ear)
     assert (peer.dock, peer.goal) == (None, DOCKS["block2"])
@@ -69,6 +71,51 @@ def test_the_silent_stand_where_they_last_said_to_be_until_they_are_removed() ->
     ear.now = 600.0
     ear.state("robot2", TimedPoint(600.0, 0.3, 0.3))
     assert len(board.peers(ear)) == 1
+
+
+def test_who_is_seen_off_its_way_stands_where_it_is_seen():
+    """It reserved a way to x = 2 m at 0.03 m/s, and stops at 10 s, at x = 0.8 m; 3.1 s later that is seen."""
+    board, ear = a_board("robot2"), Ear()
+    way = (TimedPoint(0.0, 0.5, 0.5), TimedPoint(50.0, 2.0, 0.5))
+    ear.now = 10.0
+    ear.state("robot2", *way)
+    for now in (10.0, 12.9):
+        ear.now = now
+        ear.hear("/robot2/pose", {"pose/position/x": 0.8, "pose/position/y": 0.5})
+        assert board.peers(ear)[0].way == way
+    ear.now = 13.1
+    ear.hear("/robot2/pose", {"pose/position/x": 0.8, "pose/position/y": 0.5})
+    (peer,) = board.peers(ear)
+    assert (peer.way, peer.idle) == ((TimedPoint(10.0, 0.8, 0.5),), True)
+    assert board.places(ear) == [(0.8, 0.5)]
+    # It goes on: what it says holds again.
+    ear.now = 14.0
+    again = (TimedPoint(14.0, 0.8, 0.5), TimedPoint(54.0, 2.0, 0.5))
+    ear.state("robot2", *again)
+    assert board.peers(ear)[0].way == again
+
+
+def test_who_works_at_a_dock_is_off_its_way_and_not_astray():
+    board, ear = a_board("robot2"), Ear()
+    ear.state("robot2", TimedPoint(0.0, 1.0, 0.27), activity="placing")
+    ear.now = 1.0
+    ear.hear("/robot2/pose", {"pose/position/x": 1.0, "pose/position/y": 0.38})
+    assert board.peers(ear)[0].dock == DOCKS["block1"]
+
+
+@pytest.mark.parametrize(
+    ("other", "twist", "nearer"),
+    [
+        ((1.3, 1.0), Twist(vx=0.03), False),  # Heading along y: it drives up, and the other is beside it.
+        ((1.3, 1.0), Twist(vy=-0.03), True),
+        ((1.3, 1.0), Twist(vy=0.03), False),
+        ((1.3, 1.0), Twist(wz=0.08), False),
+        ((1.4, 1.0), Twist(vy=-0.03), False),  # 0.4 m apart is far enough.
+        ((1.2, 1.2), Twist(vx=0.03), True),
+    ],
+)
+def test_robot_does_not_drive_towards_who_is_near(other, twist, nearer):
+    assert comes_nearer(Pose(1.0, 1.0, math.pi / 2), twist, [(0.1, 0.1), other], 0.37) is nearer
 
 
 def test_who_has_not_spoken_is_where_its_localiser_says() -> None:

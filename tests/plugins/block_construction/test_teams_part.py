@@ -33,6 +33,7 @@ class Teams:
                 "placing": {"seconds": 400.0, "metres": 6.0},
                 "waiting": 30.0,
                 "nearest": None if experiment.robots == 1 else 0.41,
+                "collisions": 0,
             }
             tasks = [
                 SimpleNamespace(state=TaskState.DONE, history=(SimpleNamespace(start=1.0 + end),)) for _ in range(6)
@@ -49,7 +50,12 @@ def test_teams_are_held_against_one_robot_and_against_what_interference_cannot_e
     rows = {(row[0], row[1]): dict(zip(whole.columns, row)) for row in whole.rows}
     assert list(rows) == [("mrta_demir_cf", 1), ("mrta_demir_cf", 2), ("mrta_alliance", 2)]
     two = rows["mrta_demir_cf", 2]
-    assert (two["whole builds"], two["blocks not in slots"], two["nearest [m]"]) == ("1 of 1", 0, 0.41)
+    assert (two["whole builds"], two["blocks not in slots"], two["nearest [m]"], two["collisions"]) == (
+        "1 of 1",
+        0,
+        0.41,
+        0,
+    )
     assert two["speed-up"].startswith("1.50 ")
     assert 1.0 < two["bound"] <= 2.0
     assert two["of the bound [%]"] == pytest.approx(150.0 / two["bound"], abs=1.0)

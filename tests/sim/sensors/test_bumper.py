@@ -1,9 +1,12 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from rqt_mrta_py.errors import SimError
 from rqt_mrta_py.hooks import Contact, SensorMoment
+from rqt_mrta_py.model import LooseBody
 from rqt_mrta_py.sim.sensors import Bumper
 from tests.sim.doubles import StillWorld
 from tests.sim.sensors.support import START, context
@@ -35,7 +38,15 @@ def test_bumper_tells_whether_its_own_robot_touches_something(contacts, touches)
     assert (outgoing.topic, outgoing.type, outgoing.fields) == ("bump", "std_msgs/Bool", {"data": touches})
 
 
-def test_bumper_has_no_parameters():
+@pytest.mark.parametrize(("other", "touches"), [("block", False), ("robot2", True), ("wall", True)])
+def test_bumper_that_does_not_mind_bodies_feels_everything_else(other, touches):
+    bodies = (LooseBody("block", START, size=(0.1, 0.1, 0.1)),)
+    bumper = Bumper(replace(context("bumper", "bump", bodies=False), bodies=bodies))
+    (outgoing,) = bumper.sense(SensorMoment(1.0, START, None, Tight(Contact(*sorted(("robot1", other))))))
+    assert outgoing.fields == {"data": touches}
+
+
+def test_bumper_has_no_other_parameters():
     with pytest.raises(SimError, match="robot robot1: sensor bumper on bump: parameter force: unknown"):
         Bumper(context("bumper", "bump", force=3.0))
 

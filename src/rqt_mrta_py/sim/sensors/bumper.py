@@ -15,11 +15,14 @@ __all__ = ["Bumper"]
 class Bumper:
     """Publishes std_msgs/Bool: whether the robot touches a wall, an obstacle, a loose body or another robot.
 
-    It has no parameters. Its world must know contacts.
+    Its world must know contacts. Its parameter ``bodies``, true, says whether loose bodies count: who handles some
+    feels by a bumper that does not mind them what it should never touch.
     """
 
     def __init__(self, context: SensorContext) -> None:
-        SensorSettings([context]).finish()
+        settings = SensorSettings([context])
+        self._minds_bodies = settings.switch("bodies", True)
+        settings.finish()
         self._context = context
 
     @property
@@ -34,5 +37,9 @@ class Bumper:
         """
         if "contacts" not in moment.world.capabilities:
             raise SimError(f"{where_it_is(self._context)}: its world lacks contacts")
-        touches = any(self._context.robot_id in contact for contact in moment.world.contacts())
+        robot = self._context.robot_id
+        touched = {name for contact in moment.world.contacts() if robot in contact for name in contact} - {robot}
+        if touched and not self._minds_bodies:
+            touched -= {body.id for body in self._context.bodies}
+        touches = bool(touched)
         return (Outgoing(self._context.setup.topic, "std_msgs/Bool", {"data": touches}),)

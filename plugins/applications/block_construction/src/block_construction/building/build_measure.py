@@ -16,6 +16,7 @@ __all__ = ["BuildMeasure", "errors_of"]
 
 _STATES = Subscription(f"/@robot_id@/{BUILDER_STATE}", BUILDER_STATE_TYPE, ("task", "activity", "pose/x", "pose/y"))
 _BODIES = Subscription("/simulation/bodies", "rqt_mrta_py/Detections", ("detections",))
+_BUMPERS = Subscription("/@robot_id@/bumper", "std_msgs/Bool", ("data",))
 _REMOVED = Subscription("/mrta/robot_removed", "std_msgs/String", ("data",))
 _STRIDE = 0.01
 """Ways are measured between spots so far apart [m]: noise of a robot that stands is no way."""
@@ -45,6 +46,7 @@ class _Robot:
     at: float = 0.0
     spot: Tuple[float, float] = (math.nan, math.nan)
     has_block: bool = False
+    touches: bool = False
 
 
 class BuildMeasure:
@@ -70,11 +72,12 @@ class BuildMeasure:
         self._fetching, self._placing = _Account(), _Account()
         self._waiting = 0.0
         self._nearest = math.inf
+        self._collisions: Optional[int] = None
         self._bodies: Sequence[Any] = ()
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Hear builders and the simulation, if anything is built."""
-        return (_STATES, _BODIES, _REMOVED) if self._slots else ()
+        return (_STATES, _BODIES, _BUMPERS, _REMOVED) if self._slots else ()
 
     def hear(self, heard: Heard) -> None:
         """Take in one message."""
@@ -85,8 +88,12 @@ class BuildMeasure:
         if not heard.robot:
             self._bodies = fields["detections"]
             return
-        here = (fields["pose/x"], fields["pose/y"])
         robot = self._robots.setdefault(heard.robot, _Robot())
+        if "data" in fields:
+            self._collisions = (self._collisions or 0) + (bool(fields["data"]) and not robot.touches)
+            robot.touches = bool(fields["data"])
+            return
+        here = (fields["pose/x"], fields["pose/y"])
         elapsed = heard.receipt - robot.at
         # Who has placed its block and makes room is at no work.
         if robot.task and robot.activity != "idle" and elapsed <= _PAUSE:
@@ -116,8 +123,9 @@ class BuildMeasure:
             ``blocks``: how many there are to be; ``placed``: how many lie in their slots in the end; ``mean_error`` and
             ``max_error``: of those, from the middles of their slots [m], None where there are none; ``fetching`` and
             ``placing``: ``seconds`` and ``metres`` of all robots together; ``waiting``: of these, so many seconds;
-            ``nearest``: how near the middles of two robots came to each other [m], None for one robot. None where
-            nothing is built.
+            ``nearest``: how near the middles of two robots came to each other [m], None for one robot; ``collisions``:
+            how often a robot began to touch anything but blocks, as its bumper felt, so that two robots that meet count
+            twice, None without bumpers. None where nothing is built.
         """
         if not self._slots:
             return None
@@ -135,6 +143,7 @@ class BuildMeasure:
             **accounts,
             "waiting": self._waiting,
             "nearest": None if math.isinf(self._nearest) else self._nearest,
+            "collisions": self._collisions,
         }
 
     def _drive(self, robot: _Robot, here: Tuple[float, float]) -> None:

@@ -14,7 +14,7 @@ from block_construction.building.performer import Felt, Outcome, Performer
 from block_construction.building.procedures import assembly, manipulation, withdrawal
 from block_construction.building.routes import way_length
 from block_construction.building.site_map import Found, is_in_lane
-from block_construction.building.slot import BlockTask, Fetch
+from block_construction.building.slot import BlockTask
 from block_construction.building.state import BuilderState
 from block_construction.building.supply import Supply
 from block_construction.building.travel import Travel
@@ -152,13 +152,13 @@ class Errand:
             return self._finish(felt, Progress.FAILED, str(supply))
         if self._travel.is_shut_in(perception, felt):
             return self._finish(felt, Progress.UNREACHABLE, _SHUT_IN)
-        twist = self._travel.drive(perception, felt, fetch.facing, fetch.claim)
+        twist = self._travel.drive(perception, felt, fetch.facing)
         if twist is not None:
             return Move(twist, self._helpers.arm.highest, magnet=False)
         if supply.has_block(felt.now, seen):
             return self._take(felt, fetch.facing, BODY_HEIGHT / 2.0)
         if supply.fetch is None:
-            self._leave(fetch)
+            self._travel.end()
         return self._stand(felt)
 
     def _go_to_spare_place(self, perception: Perception, felt: Felt) -> Move:
@@ -186,7 +186,7 @@ class Errand:
             return self._finish(felt, Progress.DONE, "its slot is taken already")
         if self._travel.is_shut_in(perception, felt):
             return self._finish(felt, Progress.UNREACHABLE, _SHUT_IN)
-        twist = self._travel.drive(perception, felt, slot.facing, slot.claim)
+        twist = self._travel.drive(perception, felt, slot.facing)
         if twist is not None:
             return Move(twist, helpers.arm.highest, magnet=True)
         found = helpers.site.barring(slot, felt.held)
@@ -202,10 +202,6 @@ class Errand:
             return
         reach, yaw = self._helpers.arm.reach_at(felt.angle), felt.pose.yaw
         self._grips = {name: touching(grip_of(felt.pose, reach, Pose(*each[:2], yaw))) for name, each in seen.items()}
-
-    def _leave(self, fetch: Fetch) -> None:
-        self._state.claims.pop(fetch.claim, None)
-        self._travel.end()
 
     def _take(self, felt: Felt, block: Pose, height: float) -> Move:
         actions = manipulation(self._helpers.arm, height)
@@ -240,8 +236,6 @@ class Errand:
         if self._stage is _Stage.LAYING:
             return self._enter(_Stage.TO_SUPPLY, felt)
         self.grip, self._block = self._grips.get(felt.held, grip), felt.held
-        if self._supply.fetch is not None:
-            self._leave(self._supply.fetch)
         return self._enter(_Stage.TO_SLOT, felt)
 
     def _check(self, felt: Felt, seen: Optional[Mapping[str, Seen]]) -> Move:
@@ -292,7 +286,6 @@ class Errand:
             return self._take(felt, Pose(found.x, found.y, self.slot.heading), found.z)
         self._logs.append(f"{text}; fetches another")
         self._block = ""
-        self._state.claims.pop(self.slot.claim, None)
         if self._is_arm_down(felt):
             return self._withdraw(felt, _Stage.TO_SUPPLY)
         return self._enter(_Stage.TO_SUPPLY, felt)
@@ -335,5 +328,4 @@ class Errand:
         return Move(Twist(), felt.angle if self._is_arm_down(felt) else self._helpers.arm.highest, bool(felt.held))
 
     def _finish(self, felt: Felt, progress: Progress, detail: str) -> Move:
-        self._state.claims.clear()
         return self._stand(felt)._replace(progress=progress, detail=detail)

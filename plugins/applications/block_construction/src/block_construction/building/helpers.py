@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple, Optional
 
-from block_construction.building.seams import Board, Traffic
+from block_construction.building.seams import Traffic
 from block_construction.building.site_map import SiteMap
 from block_construction.building.teamwork import Team
 from rqt_mrta_py.hooks import ArmModel
@@ -18,13 +18,11 @@ class Helpers(NamedTuple):
     Attributes:
         arm: of the robot.
         traffic: about ways.
-        board: about others.
         site: about blocks.
         team: what only those ask who are not alone.
     """
 
     arm: ArmModel
     traffic: Traffic
-    board: Board
     site: SiteMap
     team: Optional[Team] = None

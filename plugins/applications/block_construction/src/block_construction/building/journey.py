@@ -7,7 +7,7 @@ from typing import FrozenSet, Optional
 
 from block_construction.building.follower import ARRIVED, ASTRAY, Limits, go_to, lag, moment_of, towards
 from block_construction.building.procedures import TRAVEL_SPEED, TURN_RATE
-from block_construction.building.seams import Board, Traffic
+from block_construction.building.seams import Traffic
 from block_construction.building.slot import Cell
 from block_construction.team.timed_way import TimedPoint, TimedWay
 from rqt_mrta_py.hooks import Perception
@@ -25,17 +25,15 @@ class Journey:
 
     Attributes:
         way: that is reserved; empty before the first step.
-        is_waiting: whether the robot stays where it is, for somebody goes first, or there is no way at present.
+        is_waiting: whether the robot stays where it is, for there is no way at present.
 
     Args:
         traffic: knows ways.
-        board: knows what others have reserved.
         goal: where to.
     """
 
-    def __init__(self, traffic: Traffic, board: Board, goal: Pose) -> None:
+    def __init__(self, traffic: Traffic, goal: Pose) -> None:
         self._traffic = traffic
-        self._board = board
         self._goal = goal
         self._asked = -math.inf
         self.way: TimedWay = ()
@@ -58,14 +56,13 @@ class Journey:
         is_astray = not self.way or self.is_waiting or lag(moment_of(self.way, now), pose) > ASTRAY
         if is_astray and now - self._asked >= _PATIENCE:
             self._asked = now
-            others = self._board.others(perception)
-            found = self._traffic.plan((pose.x, pose.y), (goal.x, goal.y), now, covered, others)
+            found = self._traffic.plan((pose.x, pose.y), (goal.x, goal.y), now, covered, ())
             if found is None:
-                return self.hold(now, pose)
+                return self._hold(now, pose)
             self.way, self.is_waiting = found, False
         return towards(pose, moment_of(self.way, now), goal.yaw, _LIMITS)
 
-    def hold(self, now: float, pose: Pose) -> Twist:
+    def _hold(self, now: float, pose: Pose) -> Twist:
         """Stay where the robot is, and turn towards the goal meanwhile."""
         if not self.is_waiting or not self.way:
             self.way, self.is_waiting = (TimedPoint(now, pose.x, pose.y),), True

@@ -161,7 +161,6 @@ class PlaceBlock:
         self._commands, self._twist = _STILL, Twist()
         state = self._state
         state.task, state.activity, state.action, state.way = task.id, "idle", "", ()
-        state.claims.clear()
 
     def step(self, task: Task, perception: Perception) -> BehaviourStep:
         """Carry out one control tick; stand still while the robot does not know where it is."""
@@ -178,7 +177,7 @@ class PlaceBlock:
         errand = self._errand
         if errand is None:
             slot = self._slot(task)
-            helpers = Helpers(self._arm, self._traffic_of(slot), self._board, site, self._team(slot))
+            helpers = Helpers(self._arm, self._traffic_of(slot), site, self._team(slot))
             errand = self._errand = Errand(helpers, slot, state, felt, self._grip_for(slot, felt.held))
         move = errand.step(perception, felt, seen)
         self._holding = (felt.held, errand.slot.units, errand.grip) if felt.held else ("", 0, None)

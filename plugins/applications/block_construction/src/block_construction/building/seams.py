@@ -34,16 +34,8 @@ class Board(Protocol):
         """Say what to hear of them."""
         ...
 
-    def others(self, perception: Perception) -> Sequence[TimedWay]:
-        """Give the ways that they have reserved."""
-        ...
-
     def placed(self, perception: Perception) -> FrozenSet[int]:
         """Give the numbers of the blocks that they have placed."""
-        ...
-
-    def may_enter(self, perception: Perception, claim: str) -> bool:
-        """Tell whether nobody else goes first where the robot has claimed to go."""
         ...
 
 
@@ -54,14 +46,6 @@ class Solo:
         """Hear nobody."""
         return ()
 
-    def others(self, perception: Perception) -> Sequence[TimedWay]:
-        """There are none."""
-        return ()
-
     def placed(self, perception: Perception) -> FrozenSet[int]:
         """They place nothing."""
         return frozenset()
-
-    def may_enter(self, perception: Perception, claim: str) -> bool:
-        """Nobody is in the way."""
-        return True

@@ -39,11 +39,6 @@ class Fetch(NamedTuple):
         """The block, as a robot that fetches it faces it [m, rad]."""
         return Pose(self.x, self.y, self.heading)
 
-    @property
-    def claim(self) -> str:
-        """How robots claim the group."""
-        return f"supply:{self.group}"
-
 
 @dataclass(frozen=True)
 class BlockTask:
@@ -83,11 +78,6 @@ class BlockTask:
     def facing(self) -> Pose:
         """The slot, as a robot that places there faces it [m, rad]."""
         return Pose(self.x, self.y, self.heading)
-
-    @property
-    def claim(self) -> str:
-        """How robots claim the way into the slot."""
-        return f"slot:{self.block}"
 
 
 def block_task(task: Task) -> BlockTask:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Dict, FrozenSet, Optional, Tuple
 
 from block_construction.team.timed_way import TimedWay
@@ -28,7 +28,6 @@ class BuilderState:
         action: of the procedure; empty if none.
         way: that is reserved.
         goal: while it waits for a way: where it wants to stand, and the place ahead of that: x, y, x, y [m].
-        claims: since when what is claimed [s].
         placed, missing: numbers of blocks; see SiteMap.
     """
 
@@ -37,7 +36,6 @@ class BuilderState:
     action: str = ""
     way: TimedWay = ()
     goal: Tuple[float, ...] = ()
-    claims: Dict[str, float] = field(default_factory=dict)
     placed: FrozenSet[int] = frozenset()
     missing: FrozenSet[int] = frozenset()
 
@@ -53,8 +51,6 @@ class BuilderState:
             "way_x": [point.x for point in self.way],
             "way_y": [point.y for point in self.way],
             "goal": list(self.goal),
-            "claims": list(self.claims),
-            "claimed_at": list(self.claims.values()),
             "placed": sorted(self.placed),
             "missing": sorted(self.missing),
         }
@@ -62,10 +58,7 @@ class BuilderState:
 
     def key(self) -> Tuple[object, ...]:
         """Give what is told at once when it changes."""
-        return (
-            *(self.task, self.activity, self.action, self.way, self.goal),
-            *(tuple(self.claims.items()), self.placed, self.missing),
-        )
+        return self.task, self.activity, self.action, self.way, self.goal, self.placed, self.missing
 
 
 class Teller:

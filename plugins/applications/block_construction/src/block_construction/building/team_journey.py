@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from typing import FrozenSet, List, Optional, Tuple
+from typing import FrozenSet, List, Optional, Sequence, Tuple
 
-from block_construction.building.follower import ARRIVED, ASTRAY, Limits, go_to, lag, moment_of, towards
+from block_construction.building.follower import ARRIVED, ASTRAY, Limits, lag, moment_of, towards
 from block_construction.building.procedures import STAND_OFF, TRAVEL_SPEED, TURN_RATE
 from block_construction.building.routes import stand_off
 from block_construction.building.slot import BlockTask, Cell, Fetch
@@ -18,11 +18,15 @@ from block_construction.team.traffic import Traffic
 from rqt_mrta_py.hooks import Perception
 from rqt_mrta_py.model import Pose, Twist
 
-__all__ = ["TeamJourney", "dock_before", "team_trip"]
+__all__ = ["TeamJourney", "comes_nearer", "dock_before", "team_trip"]
 
 _LIMITS = Limits(TRAVEL_SPEED, TURN_RATE)
 _GIVES_UP = 90.0
 """Who has waited for so long looks whether there will be a way at all [s]."""
+_TOO_NEAR = 0.03
+"""By so much less than ways keep clear of others a robot comes near to nobody, whatever its way says [m]."""
+_CREEP = 0.001
+"""Who comes nearer no faster than this drives past [m/s]."""
 _REACH = 0.40
 """From the middle of a block to that of the robot that holds or places it, at the least [m]."""
 
@@ -53,6 +57,25 @@ def team_trip(
     docks = [dock_before(fetch.facing) for fetch in slot.supply]
     peers = board.peers(perception)
     return best_trip(traffic, (pose.x, pose.y), (docks, dock_before(slot.facing)), covered, peers), slot.supply
+
+
+def comes_nearer(pose: Pose, twist: Twist, others: Sequence[Tuple[float, float]], near: float) -> bool:
+    """Tell whether a robot drives towards somebody who is near it already.
+
+    Args:
+        pose: of the robot.
+        twist: its velocities, in its own frame.
+        others: where they are [m].
+        near: between the middles of both [m].
+    """
+    cos, sin = math.cos(pose.yaw), math.sin(pose.yaw)
+    vx, vy = cos * twist.vx - sin * twist.vy, sin * twist.vx + cos * twist.vy
+    for x, y in others:
+        dx, dy = x - pose.x, y - pose.y
+        distance = math.hypot(dx, dy)
+        if distance < near and vx * dx + vy * dy > _CREEP * distance:
+            return True
+    return False
 
 
 class TeamJourney:
@@ -97,13 +120,11 @@ class TeamJourney:
         if there and math.hypot(dock.x - pose.x, dock.y - pose.y) <= ARRIVED:
             return None
         yaw = pose.yaw if self._yaw is None else self._yaw
-        return towards(pose, moment_of(self.way, now), yaw, _LIMITS)
-
-    def hold(self, now: float, pose: Pose) -> Twist:
-        """Stay where the robot is, and turn towards the goal meanwhile."""
-        self.way, self.is_waiting = self._driver.stand(now, (pose.x, pose.y)), True
-        point: TimedPoint = self.way[-1]
-        return go_to(pose, Pose(point.x, point.y, pose.yaw if self._yaw is None else self._yaw), _LIMITS)
+        twist = towards(pose, moment_of(self.way, now), yaw, _LIMITS)
+        near = self._traffic.clearance - _TOO_NEAR
+        if comes_nearer(pose, twist, self._board.places(perception), near):
+            return Twist(wz=twist.wz)
+        return twist
 
     def is_shut_in(self, perception: Perception, pose: Pose, covered: FrozenSet[Cell]) -> bool:
         """Tell whether the robot has waited long, and teammates that have nothing to do leave it no way."""

@@ -21,7 +21,7 @@ __all__ = ["Travel"]
 
 
 class Travel:
-    """Sets out, claims where it goes, drives, and says so.
+    """Sets out, drives, and says so.
 
     Args:
         helpers: whom to ask.
@@ -62,14 +62,13 @@ class Travel:
             self.end()
         return fetch
 
-    def drive(self, perception: Perception, felt: Felt, block: Pose, claim: str = "") -> Optional[Twist]:
-        """Go to where a robot stands off a block, once nobody else goes first.
+    def drive(self, perception: Perception, felt: Felt, block: Pose) -> Optional[Twist]:
+        """Go to where a robot stands off a block.
 
         Args:
             perception: of the robot.
             felt: what it knows of itself.
             block: as the robot will face it.
-            claim: of what lies there; empty for none.
 
         Returns:
             The velocities; None once it is there.
@@ -77,12 +76,7 @@ class Travel:
         if self._journey is None:
             self._journey = self._set_out(block)
         journey = self._journey
-        if claim:
-            self._state.claims.setdefault(claim, felt.now)
-        if not claim or self._helpers.board.may_enter(perception, claim):
-            twist = journey.step(perception, felt.pose, self._helpers.site.covered)
-        else:
-            twist = journey.hold(felt.now, felt.pose)
+        twist = journey.step(perception, felt.pose, self._helpers.site.covered)
         self._say(journey, "waiting" if journey.is_waiting else "driving")
         return twist
 
@@ -120,7 +114,7 @@ class Travel:
     def _set_out(self, block: Pose) -> Union[Journey, TeamJourney]:
         team = self._helpers.team
         if team is None:
-            return Journey(self._helpers.traffic, self._helpers.board, stand_off(block))
+            return Journey(self._helpers.traffic, stand_off(block))
         return TeamJourney(team.traffic, team.board, dock_before(block), block.yaw)
 
     def _say(self, journey: Union[Journey, TeamJourney], activity: str) -> None:

@@ -100,13 +100,14 @@ def measure_teams(options: Options, laboratory: Laboratory) -> BenchmarkReport:
         f"Teams that build the {structure}, all lengths in all corners, {len(seeds)} seeds, pose noise {_NOISE:g} m",
         (
             *("architecture", "robots", "whole builds", "blocks not in slots", "time [s]", "speed-up"),
-            *("bound", "of the bound [%]", "waiting [s/block]", "way [m/block]", "idle [s/robot]", "nearest [m]"),
+            *("bound", "of the bound [%]", "waiting [s/block]", "way [m/block]"),
+            *("idle [s/robot]", "nearest [m]", "collisions"),
         ),
         tuple(_cells(case, found[case], alone, bounds.time(case[1], handling)) for case in cases),
         (
             f"Bound: schedules without interference, {handling:.0f} s at each block beside ways, so that one robot "
             "takes as long as it took.",
-            "Nearest: least distance of two robots' middles, as they believe; bodies are 0.36 m wide.",
+            "Nearest: least distance of two robots' middles, as they believe. Collisions: what their bumpers felt.",
             "Idle: without a block to care for, of each robot. Waiting: for a way.",
             MEANS,
         ),
@@ -133,10 +134,11 @@ def _lost(structure: str, robots: int, seeds: Sequence[int], laboratory: Laborat
         experiments = [_experiment(structure, robots, seed, events=_loss(robots, seed, removed)) for seed in seeds]
         found = [_row(trial) for trial in laboratory.trials(experiments)]
         placed = estimated_mean([100.0 * row.build["placed"] / row.blocks for row in found])
-        rows.append((robots, label, _whole(found), estimate_text(placed), _time_text(found)))
+        felt = sum(row.build["collisions"] for row in found)
+        rows.append((robots, label, _whole(found), estimate_text(placed), _time_text(found), felt))
     return BenchmarkTable(
         f"One robot lost while the {structure} is built",
-        ("robots", "the lost one", "whole builds", "blocks in slots [%]", "time [s]"),
+        ("robots", "the lost one", "whole builds", "blocks in slots [%]", "time [s]", "collisions"),
         tuple(rows),
         (
             f"It stops at a moment drawn from {_EARLIEST:g} to {_LATEST:g} s, each robot in turn.",
@@ -190,6 +192,7 @@ def _cells(case: Tuple[str, int], rows: Sequence[_Row], alone: Optional[float], 
         *(architecture, robots, _whole(rows), sum(row.blocks - row.build["placed"] for row in rows)),
         *(_time_text(rows), estimate_text(faster, 2), rounded(most), rounded(share, 0)),
         *(estimate_text(waiting), estimate_text(way, 2), estimate_text(idle, 0), rounded(min(near, default=None), 3)),
+        sum(row.build["collisions"] for row in rows),
     )
 
 

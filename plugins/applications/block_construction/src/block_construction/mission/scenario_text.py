@@ -69,7 +69,7 @@ def _dispenser(ready: Ready) -> str:
 
 
 def _sensors(pose_noise: float, pose_hold: float) -> List[str]:
-    """List what every robot carries: where it is, what its wheels count (table 18), and blocks near it."""
+    """List what every robot carries: where it is, what its wheels count (table 18), blocks near it, and collisions."""
     noise = f", uniform_noise: {number(pose_noise)}" if pose_noise else ""
     if pose_noise and pose_hold:
         noise += f", uniform_hold: {number(pose_hold)}"
@@ -78,4 +78,5 @@ def _sensors(pose_noise: float, pose_hold: float) -> List[str]:
         "    - {kind: odometry, topic: odom, rate: 10}",
         "    - {kind: detector, topic: detections, rate: 2, max_range: 1.0, fov: 6.283185, position_noise: 0.0, "
         "from_above: true}",
+        "    - {kind: bumper, topic: bumper, rate: 2, bodies: false}",
     ]

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Callable, Dict, FrozenSet, List, Mapping, Optional, Sequence, Set, Tuple
+from typing import Callable, Dict, FrozenSet, List, Mapping, Optional, Sequence, Set, Tuple
 
 from block_construction.team.driver import Driver
-from block_construction.team.peers import Dock, Peer, dock_at, peer_ways
-from block_construction.team.timed_way import TimedPoint, TimedWay
+from block_construction.team.peers import Dock, Peer, dock_at
+from block_construction.team.timed_way import TimedPoint, TimedWay, place_at
 from block_construction.team.traffic import Traffic
 from rqt_mrta_py.hooks import Heard, Perception, Subscription
 
@@ -23,7 +23,11 @@ _SILENT = 5.0
 """Who has said nothing for so long stays where he was, as far as others know [s]."""
 _SAME_PLACE = 0.02
 """A robot that says to be so near where it stood stands there still [m]."""
+_OFF_ITS_WAY = 0.09
+"""Who is farther from where its way says follows it no more [m]: it would ask for another one at 6 cm, and the poses
+that are told may be off."""
 _AT_WORK = ("driving", "fetching", "placing")
+_PROCEDURES = ("fetching", "placing")
 
 TaskDocks = Callable[[], Mapping[str, Dock]]
 
@@ -32,6 +36,7 @@ class TeamBoard:
     """Hears what teammates say.
 
     Who has been silent for 5 s stands where it last said to be, for ever, until an operator tells that it was removed.
+    Who is seen off the way that it has reserved, for it has let go of its task or has stopped, stands where it is seen.
     Of who has not said anything yet, the localiser says where it is.
 
     Args:
@@ -48,6 +53,7 @@ class TeamBoard:
         self._announced: Optional[Heard] = None
         self._standing: Dict[str, TimedPoint] = {}
         self._driver: Optional[Driver] = None
+        self._ways: Dict[str, Tuple[Heard, TimedWay]] = {}
         self._peers: Tuple[object, Tuple[Peer, ...]] = (None, ())
         self._kept: object = None
 
@@ -67,13 +73,10 @@ class TeamBoard:
             self._driver = Driver(self._robot_id, traffic, self._speed)
         return self._driver
 
-    def others(self, perception: Perception) -> Sequence[TimedWay]:
-        """Give the ways that teammates have reserved."""
-        return peer_ways(self.peers(perception))
-
-    def may_enter(self, perception: Perception, claim: str) -> bool:
-        """Let everybody go: a place belongs to whoever has reserved a way that ends there."""
-        return True
+    def places(self, perception: Perception) -> Sequence[Tuple[float, float]]:
+        """Give where the teammates that are there were seen last [m]."""
+        seen = [perception.newest(_pose(peer.id)) for peer in self.peers(perception)]
+        return [_place(pose) for pose in seen if pose is not None]
 
     def placed(self, perception: Perception) -> FrozenSet[int]:
         """Give the numbers of the blocks that teammates have seen in their slots, and none found missing since."""
@@ -92,11 +95,12 @@ class TeamBoard:
         heard = {robot: perception.newest(_state(robot)) for robot in self._others}
         silent = tuple(each is not None and perception.now - each.receipt > _SILENT for each in heard.values())
         unknown = [perception.newest(_pose(robot)) for robot, each in heard.items() if each is None]
-        key = (tuple(map(id, heard.values())), silent, tuple(map(id, unknown)), len(self._removed))
+        astray = [self._astray(robot, each, perception) for robot, each in heard.items()]
+        key = (tuple(map(id, heard.values())), silent, tuple(map(id, unknown)), tuple(astray), len(self._removed))
         if key != self._peers[0]:
             found = []
-            for robot, is_silent in zip(self._others, silent):
-                peer = self._peer(robot, heard[robot], perception, is_silent)
+            for robot, is_silent, stands in zip(self._others, silent, astray):
+                peer = self._peer(robot, heard[robot], perception, is_silent, stands)
                 if peer is not None:
                     found.append(peer)
             # The messages are kept, so that their identities stay theirs.
@@ -119,17 +123,30 @@ class TeamBoard:
             for heard in told
         )
 
-    def _peer(self, robot: str, heard: Optional[Heard], perception: Perception, silent: bool) -> Optional[Peer]:
+    def _astray(self, robot: str, heard: Optional[Heard], perception: Perception) -> Optional[TimedPoint]:
+        """Give where a robot stands that is not where it said that it would be; None if it is, or nobody knows."""
+        seen = perception.newest(_pose(robot))
+        if heard is None or seen is None or heard.fields["activity"] in _PROCEDURES:
+            return None
+        way, place = self._way(robot, heard), _place(seen)
+        if not way or seen.receipt < heard.receipt or math.dist(place_at(way, seen.receipt), place) <= _OFF_ITS_WAY:
+            return None
+        return self._stand(robot, heard.receipt, place)
+
+    def _peer(
+        self, robot: str, heard: Optional[Heard], perception: Perception, silent: bool, astray: Optional[TimedPoint]
+    ) -> Optional[Peer]:
         if heard is None:
             pose = perception.newest(_pose(robot))
             if pose is None or self._is_removed(robot, pose):
                 return None
-            place = (float(pose.fields["pose/position/x"]), float(pose.fields["pose/position/y"]))
-            return Peer(robot, (self._stand(robot, perception.now, place),), idle=True)
+            return Peer(robot, (self._stand(robot, perception.now, _place(pose)),), idle=True)
         if self._is_removed(robot, heard):
             return None
         fields = heard.fields
-        way = _way(fields)
+        if astray is not None:
+            return Peer(robot, (astray,), idle=True)
+        way = self._way(robot, heard)
         if silent or not way:
             place = (float(fields["pose/x"]), float(fields["pose/y"]))
             return Peer(robot, (self._stand(robot, heard.receipt, place),), idle=silent or not fields["task"])
@@ -140,6 +157,16 @@ class TeamBoard:
         goal = Dock(*map(float, fields["goal"])) if len(fields["goal"]) == 4 else None
         dock = dock_at((way[-1].x, way[-1].y), list(docks.values())) if works else None
         return Peer(robot, way, dock, goal, target, task=fields["task"], lingers=fields["activity"] == "idle")
+
+    def _way(self, robot: str, heard: Heard) -> TimedWay:
+        """Read the way that a robot has reserved, once."""
+        known = self._ways.get(robot)
+        if known is None or known[0] is not heard:
+            fields = heard.fields
+            points = zip(fields["way_time"], fields["way_x"], fields["way_y"])
+            way = tuple([TimedPoint(float(time), float(x), float(y)) for time, x, y in points])
+            known = self._ways[robot] = (heard, way)
+        return known[1]
 
     def _is_removed(self, robot: str, heard: Heard) -> bool:
         removed = self._removed.get(robot)
@@ -160,6 +187,5 @@ def _pose(robot: str) -> str:
     return f"/{robot}/pose"
 
 
-def _way(fields: Mapping[str, Any]) -> TimedWay:
-    points = zip(fields["way_time"], fields["way_x"], fields["way_y"])
-    return tuple([TimedPoint(float(time), float(x), float(y)) for time, x, y in points])
+def _place(pose: Heard) -> Tuple[float, float]:
+    return float(pose.fields["pose/position/x"]), float(pose.fields["pose/position/y"])
