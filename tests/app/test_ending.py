@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any, Dict, List, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 import pytest
 
+from rqt_mrta_py.app.compose import compose
 from rqt_mrta_py.app.run.ending import MissionEnd
+from rqt_mrta_py.app.run.preparation import Preparation
+from rqt_mrta_py.app.run.request import RunRequest
 from rqt_mrta_py.model import ApplicationSpec, ArchitectureSpec, Arena, Mission, Progress, ScenarioSpec, Task, Taxonomy
 from rqt_mrta_py.transport import read_bag
 from tests.app.errand_yard import DURATION, write_errand_yard
@@ -93,6 +96,21 @@ def test_a_run_ends_early_as_whole_as_at_its_duration(
     assert ("/mrta/team_state", last) in said
     pictures = sorted((out / "monitor").glob("*.png"))
     assert sum(topic == "/mrta/monitor/compressed" for topic, _ in said) == len(pictures) > 0
+
+
+@pytest.mark.parametrize(
+    ("file_says", "asked", "planned"),
+    [("", None, DURATION), ("linger: 0\n", None, None), ("linger: 2\n", None, None), ("linger: 2\n", 5.0, 5.0)],
+)
+def test_a_run_plans_for_a_duration_unless_its_mission_ends_any_time_before(
+    tmp_path: Path, file_says: str, asked: Optional[float], planned: Optional[float]
+) -> None:
+    yard = tmp_path / "errand_yard"
+    write_errand_yard(yard)
+    scenario = yard / "scenario.yaml"
+    scenario.write_text(file_says + scenario.read_text())
+    observation = Preparation(compose(), RunRequest(str(yard), duration=asked)).observe()
+    assert observation.dashboard_view(observation.finish()).duration == planned
 
 
 def test_its_bag_reviews_to_what_the_run_said(mrta: Mrta, lingering: Path, tmp_path: Path) -> None:

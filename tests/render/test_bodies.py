@@ -29,9 +29,9 @@ def told(name: str, x: float, y: float, kind: str = "paper", held: bool = False)
     return {"id": name, "kind": kind, "position": {"x": x, "y": y, "z": 0.1}, "held": held, "yaw": 0.5}
 
 
-def heard(*detections: Dict[str, Any], frame: str = "map") -> Heard:
+def heard(*detections: Dict[str, Any], frame: str = "map", receipt: float = 1.0) -> Heard:
     fields = {"header/frame_id": frame, "detections": list(detections)}
-    return Heard("/simulation/bodies", "rqt_mrta_py/Detections", 1.0, fields)
+    return Heard("/simulation/bodies", "rqt_mrta_py/Detections", receipt, fields)
 
 
 def keeper() -> BodyKeeper:
@@ -77,6 +77,20 @@ def test_only_what_was_moved_turned_lifted_or_taken_is_kept_of_where_a_body_was(
         (0.07, 0.7, False),
         (0.07, 0.7, True),
     ]
+
+
+def test_a_body_that_is_told_of_no_more_is_gone_from_then_on_until_it_is_told_of_again() -> None:
+    kept, tin, can = keeper(), told("tin", 1.0, 2.0), told("can", 3.0, 4.0, held=True)
+    for receipt, there in ((1.0, (tin, can)), (2.0, (tin,)), (3.0, (tin,)), (4.0, (tin, can))):
+        kept.hear(heard(*there, receipt=receipt))
+        assert [body.id for body in kept.bodies()] == sorted(each["id"] for each in there)
+    track, other = kept.tracks()
+    assert [(place.time, place.x, place.held, place.is_there) for place in track.places] == [
+        (1.0, 3.0, True, True),
+        (2.0, 3.0, False, False),
+        (4.0, 3.0, True, True),
+    ]
+    assert [(place.time, place.is_there) for place in other.places] == [(1.0, True)]
 
 
 @pytest.mark.parametrize("wrong", [heard(told("can", 1.0, math.nan)), heard(told("can", 1.0, 1.0), frame="odom")])

@@ -287,6 +287,11 @@ class ScenarioSpec:
     linger: Optional[float] = None
 
     @property
+    def is_open_ended(self) -> bool:
+        """Whether the mission ends with its last task, so that only the latest time of its end is known before."""
+        return self.linger is not None
+
+    @property
     def first_bodies(self) -> Tuple[LooseBody, ...]:
         """The bodies that there are at the start: those listed, then the first one of each dispenser."""
         return (*self.bodies, *(dispenser.body(1) for dispenser in self.dispensers))

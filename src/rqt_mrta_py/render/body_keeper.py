@@ -26,7 +26,10 @@ _MOST_PLACES = 100_000
 
 
 class BodyPlace(NamedTuple):
-    """Where a body was from a time on [s]; the others as of a ``BodySight``."""
+    """Where a body was from a time on [s]; the others as of a ``BodySight``.
+
+    One that is not there any more was taken away, from this place.
+    """
 
     time: float
     x: float
@@ -34,6 +37,7 @@ class BodyPlace(NamedTuple):
     yaw: float
     lift: float
     held: bool
+    is_there: bool = True
 
 
 class BodyTrack(NamedTuple):
@@ -87,6 +91,10 @@ class BodyKeeper:
                 place = BodyPlace(heard.receipt, x, y, yaw, max(z - height / 2.0, 0.0), told["held"])
                 sights.append(BodySight(name, kind, x, y, length, width, yaw, place.lift, place.held))
                 self._log(name, kind, place)
+        here = {sight.id for sight in sights}
+        for sight in self._sights:
+            if sight.id not in here:
+                self._log_gone(sight.id, heard.receipt)
         self._sights = tuple(sorted(sights, key=lambda sight: sight.id))
 
     def bodies(self) -> Tuple[BodySight, ...]:
@@ -106,6 +114,11 @@ class BodyKeeper:
             size = next((each.size for each in self._dispensers if each.gives(name)), _DEFAULT_SIZE)
         return size
 
+    def _log_gone(self, name: str, time: float) -> None:
+        if name in self._places:
+            place = self._places[name][-1]
+            self._log(name, self._kinds[name], place._replace(time=max(time, place.time), held=False, is_there=False))
+
     def _log(self, name: str, kind: str, place: BodyPlace) -> None:
         if self._kept >= _MOST_PLACES:
             return
@@ -121,4 +134,4 @@ def _differs(before: BodyPlace, after: BodyPlace) -> bool:
         return False
     moved = math.dist((before.x, before.y, before.lift), (after.x, after.y, after.lift)) >= _STRIDE
     turned = abs(math.remainder(after.yaw - before.yaw, math.tau)) >= _TURN
-    return moved or turned or before.held != after.held
+    return moved or turned or (before.held, before.is_there) != (after.held, after.is_there)

@@ -9,9 +9,10 @@ import pytest
 
 from rqt_mrta_py.app.compose import Host, compose
 from rqt_mrta_py.app.run.embedded import EmbeddedRun
+from rqt_mrta_py.app.run.ending import MissionEnd
 from rqt_mrta_py.config.mission import load_mission
 from rqt_mrta_py.hooks import Stamped
-from rqt_mrta_py.model import Mission, ScenarioEvent, ScenarioEventKind
+from rqt_mrta_py.model import Mission, Progress, ScenarioEvent, ScenarioEventKind
 from tests.app.live.scattered_team import ScatteredTeam
 
 EVENTS: Sequence[Tuple[float, ScenarioEventKind, str, str, Dict[str, float]]] = (
@@ -100,12 +101,35 @@ def by_topic(said: Iterable[Stamped]) -> Dict[Tuple[str, str], List[bytes]]:
     return found
 
 
-def test_a_scattered_team_ends_at_the_tick_at_which_one_in_one_process_does(host: Host) -> None:
-    mission = troubled(loaded(host, "border_patrol", "mrta_alliance"))
+def ending_early(mission: Mission) -> Mission:
+    """Let an operator withdraw the only task that ends by itself, at 1.2 s, after a robot was taken away."""
     assert mission.scenario is not None
-    # An operator withdraws the only one of its tasks that ends by itself, at 1.2 s.
     tasks = tuple(dataclasses.replace(task, perpetual=task.id != "wander") for task in mission.tasks)
-    mission = dataclasses.replace(mission, tasks=tasks, scenario=dataclasses.replace(mission.scenario, linger=0.5))
+    removal = ScenarioEvent(1.0, ScenarioEventKind.ROBOT_REMOVED, "robot5")
+    scenario = dataclasses.replace(mission.scenario, linger=0.5, events=(*mission.scenario.events, removal))
+    return dataclasses.replace(mission, tasks=tasks, scenario=scenario)
+
+
+def test_the_end_of_a_mission_hears_once_of_each_order_about_a_task_and_of_no_other_order(
+    host: Host, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ordered: List[Tuple[str, Progress, float]] = []
+    take_in = MissionEnd.take_in
+
+    def record(end: MissionEnd, task: str, code: int, stamp: float) -> None:
+        progress = Progress.of_code(code)
+        if progress in (Progress.WITHDRAWN, Progress.REASSIGNED):
+            ordered.append((task, progress, stamp))
+        take_in(end, task, code, stamp)
+
+    monkeypatch.setattr(MissionEnd, "take_in", record)
+    one_process(host, ending_early(loaded(host, "border_patrol", "mrta_alliance")))
+    # The mission's clock begins at 1 s.
+    assert ordered == [("wander", Progress.WITHDRAWN, 2.2), ("report", Progress.REASSIGNED, 2.5)]
+
+
+def test_a_scattered_team_ends_at_the_tick_at_which_one_in_one_process_does(host: Host) -> None:
+    mission = ending_early(loaded(host, "border_patrol", "mrta_alliance"))
     codec = host.codec()
     expected = one_process(host, mission)
     team = ScatteredTeam(mission, 2.5, codec, host.manager, chance=1)

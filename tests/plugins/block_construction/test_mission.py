@@ -140,13 +140,25 @@ def test_robots_and_blocks_have_room_in_every_mission(host: Host, structure: str
     settings = (f"structure={structure}", f"supply={supply}")
     if structure != "wall":
         pytest.importorskip("ortools", reason="other planners take long")
-    mission, found = chosen_mission(host, MissionChoice("block_construction", robots=4, overrides=settings))
+    _, found = chosen_mission(host, MissionChoice("block_construction", robots=4, overrides=settings))
     models = host.manager.registered("mrta_register_robot_models")
     placed = [PlacedRobot(robot.id, models[robot.model], robot.start) for robot in found.robots]
     assert len(placed) == 4
     assert list(placement_problems(found.arena, found.obstacles, placed)) == []
     assert list(body_problems(found.bodies, found.arena, found.obstacles, placed, found.dispensers)) == []
-    assert found.duration > sum(task.expected_duration or 0.0 for task in mission.tasks)
+    choice = MissionChoice("block_construction", robots=1, overrides=(*settings, "order=free"))
+    alone, _ = chosen_mission(host, choice)
+    assert found.duration > sum(task.expected_duration or 0.0 for task in alone.tasks)
+
+
+def test_in_a_team_a_task_is_expected_to_last_longer_by_the_longest_one_and_the_mission_no_longer(host: Host) -> None:
+    alone, team = (made(host, robots, structure="wall", order="free") for robots in (1, 3))
+    own = [each["expected_duration"] for each in tasks(alone)]
+    assert len(set(own)) > 1
+    assert [each["expected_duration"] for each in tasks(team)] == pytest.approx(
+        [each + max(own) for each in own], abs=0.11
+    )
+    assert scenario(team)["duration"] == scenario(alone)["duration"]
 
 
 def test_the_wall_is_built_from_the_sources_place_as_the_source_has_it(host: Host) -> None:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Dict, Iterator, Tuple
 
 import pytest
 
+from rqt_mrta_py.render.body_keeper import BodyPlace, BodyTrack
 from rqt_mrta_py.render.report import report_html
 from tests.render.report.browser import Browser, Tab, require_browser
 from tests.render.report.missions import empty_mission, hostile_mission, usual_mission
+from tests.render.views import START
 
 MISSIONS = {"usual": usual_mission, "hostile": hostile_mission, "empty": empty_mission}
 
@@ -116,6 +119,19 @@ def test_an_incident_leads_to_its_moment(tab: Tab) -> None:
 def test_a_link_to_a_moment_opens_there(browser: Browser, pages: Dict[str, Path]) -> None:
     tab = browser.open(pages["usual"], hash_="#t=12.5")
     assert tab.run(_CLOCK) == "12.5 s"
+
+
+def test_the_arena_shows_a_body_until_it_was_taken_away(browser: Browser, tmp_path: Path) -> None:
+    lying = BodyPlace(START, 1.0, 0.5, 0.0, 0.0, held=False)
+    places = (lying, lying._replace(time=START + 20.0, held=True), lying._replace(time=START + 40.0, is_there=False))
+    can = BodyTrack("can", "paper", 0.4, 0.1, places)
+    page = tmp_path / "taken.html"
+    page.write_text(report_html(replace(usual_mission(), bodies=(can,))), encoding="utf-8")
+    shown = {}
+    for time in (10.0, 30.0, 50.0):
+        tab = browser.open(page, hash_=f"#t={time}")
+        shown[time] = tab.run("[...document.querySelectorAll('[data-body]')].map((each) => each.getAttribute('class'))")
+    assert shown == {10.0: ["body b0"], 30.0: ["body b0 held"], 50.0: []}
 
 
 def test_keys_move_the_moment(tab: Tab) -> None:

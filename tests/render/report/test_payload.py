@@ -7,6 +7,7 @@ import pytest
 
 from rqt_mrta_py.hooks import Curve, CurveGroup, CurvePanel
 from rqt_mrta_py.model import Event, RobotState, Severity, TaskState
+from rqt_mrta_py.render.body_keeper import BodyPlace, BodyTrack
 from rqt_mrta_py.render.palette import TaskColours
 from rqt_mrta_py.render.pose_log import RobotTrack
 from rqt_mrta_py.render.report.fine_curves import fine_panel
@@ -104,3 +105,12 @@ def test_panels_are_asked_for_stretches_and_points_come_once() -> None:
     assert asked[1:] == [(0.0, 30.0), (30.0, 60.0), (60.0, 90.0), (90.0, 120.0)]
     assert panel.groups[0].curves[0].times == tuple(float(second) for second in range(121))
     assert fine_panel(view, 0.0, 40.0).groups[0].curves[0].times == tuple(float(second) for second in range(41))
+
+
+def test_a_body_that_was_taken_away_is_told_as_gone_where_it_was() -> None:
+    lying = BodyPlace(1.0, 1.0, 0.5, 0.0, 0.0, held=False)
+    places = (lying, lying._replace(time=3.0, held=True), lying._replace(time=6.0, is_there=False))
+    (body,) = told(replace(usual_mission(), bodies=(BodyTrack("can", "paper", 0.4, 0.1, places),)))["bodies"]
+    times, xs, _, states, _, _ = unpacked(body["places"], 6)
+    assert (times, states) == ([0, 2000, 5000], [0, 1, 2])
+    assert len(set(xs)) == 1

@@ -73,6 +73,8 @@ class WorldTurns:
         self._tick = tick
         world.happen(tick, now)
         world.tell(tick, now)
+        # The mission's end hears what an operator orders in the tick in which it is said.
+        world.bus.deliver(now)
         said, self._said = self._said, []
         own = tuple(Said(each.connection.caller, each.connection.topic) for each in said)
         news = TickNews(

@@ -77,8 +77,8 @@ def review_bag(
     further: Tuple[Listener, ...] = (*exporters.values(), *makers.values(), *why.listeners)
     patience = host.manager.patience
     with patience.at_work("the making of the review"):
-        lingers = mission.scenario is not None and mission.scenario.linger is not None
-        duration = length if lingers else subject.duration or length
+        is_open_ended = mission.scenario is not None and mission.scenario.is_open_ended
+        duration = length if is_open_ended else subject.duration or length
         observation = Observation(mission, codec, host.manager, duration, further)
     with Interrupt() as interrupt, ExitStack() as stack:
         folder = OutputFolder.create(request.out, f"{recordings.name}-review", request.force)

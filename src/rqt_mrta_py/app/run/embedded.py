@@ -46,8 +46,6 @@ class EmbeddedRun:
         self.last_tick = self._world.last_tick
         self.bus = self._world.bus
         self._end = self._world.end
-        if self._end.is_awaited:
-            self.bus.node("/end").subscribe(self._end.SUBSCRIPTION, self._end.hear)
         self._paused: Set[str] = set()
         try:
             self._team: Team = build_team(mission, self._world.seed, self._simulation, self.bus, manager, change=change)

@@ -51,9 +51,8 @@ class Preparation:
     def observe(self) -> Observation:
         """Make what is derived from the stream; to be called once."""
         further: Tuple[Listener, ...] = (*self._exporters.values(), *self._figures.values())
-        # Nobody knows when a mission ends that ends with its last task.
-        is_open = self.scenario.linger is not None and self._request.duration is None
-        planned = None if is_open else self.duration
+        is_unknown = self.scenario.is_open_ended and self._request.duration is None
+        planned = None if is_unknown else self.duration
         return Observation(self.mission, self.codec, self._host.manager, planned, further)
 
     def plan(self, observation: Observation, clock: RunClock, last_tick: int) -> WatchPlan:

@@ -36,7 +36,7 @@ class WorldSide:
         last_tick: of the mission.
         simulation: world, robots, events.
         bus: carries what is told.
-        end: of the mission, to be told how tasks go.
+        end: of the mission; hears on the bus how tasks go.
 
     Args:
         mission: with a scenario and a seed.
@@ -80,6 +80,8 @@ class WorldSide:
         self._operator_node = self.bus.node("/operator")
         self._tasks = {task.id: task for task in mission.every_task}
         self.end = MissionEnd(mission)
+        if self.end.is_awaited:
+            self.bus.node("/end").subscribe(self.end.SUBSCRIPTION, self.end.hear)
         self._driver_of: Mapping[str, Node] = {}
 
     def speak_through(self, drivers: Mapping[str, Node]) -> None:
@@ -100,9 +102,6 @@ class WorldSide:
             order = order_of(event, self._tasks.get(event.task or ""), now)
             if order is not None:
                 self._operator_node.publish(order, now)
-                # An operator speaks of tasks, and of robots that were removed.
-                if "task_id" in order.fields:
-                    self.end.take_in(order.fields["task_id"], order.fields["progress"], now)
 
     def tell(self, tick: int, now: float) -> None:
         """Tell the time, where loose bodies are, and what sensors measure; arguments as of ``happen``."""

@@ -37,6 +37,8 @@ _TOLERANCE = 2.0
 _YAW = 256
 """So many headings are told apart."""
 _YAW_TOLERANCE = 4.0
+_GONE = 2
+"""Where others say whether a body is held: it is not there any more."""
 _SILENCE = 4.0
 """A robot unheard for so many periods, and a second, stays where it was seen last."""
 _LEVELS = 1000
@@ -256,7 +258,7 @@ def _bodies(bodies: Sequence[BodyTrack], clock: _Clock, resolution: float) -> Li
                         [clock(place.time) for place in places],
                         [round(place.x / resolution) for place in places],
                         [round(place.y / resolution) for place in places],
-                        [int(place.held) for place in places],
+                        [int(place.held) if place.is_there else _GONE for place in places],
                         [round(math.degrees(place.yaw)) for place in places],
                         [round(min(place.lift, _FARTHEST) / resolution) for place in places],
                     ),

@@ -88,9 +88,9 @@ function paintTask(svg, plan, task) {
   return {text: over ? `${data.names.stages[state]} ${task.id}` : task.id, x, y, radius: size, font: '11px', dress: `place-name halo${over ? ' over' : ''}`, may: over};
 }
 
-// What lies higher comes later, and is paler.
+// What lies higher comes later, and is paler; what was taken away is not there.
 function paintBodies(svg, plan) {
-  const there = bodies.map((body) => ({body, at: lastUntil(body.places[0], look.now)})).filter(({at}) => at >= 0);
+  const there = bodies.map((body) => ({body, at: lastUntil(body.places[0], look.now)})).filter(({body, at}) => at >= 0 && body.places[3][at] !== goneBody);
   for (const each of there) each.lift = each.body.places[5][each.at] * data.resolution;
   there.sort((a, b) => a.lift - b.lift);
   for (const {body, at, lift} of there) {

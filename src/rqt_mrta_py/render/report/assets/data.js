@@ -54,6 +54,7 @@ for (const each of allocations) {
   robots[each.robot].held.push(each);
   tasks[each.task].held.push(each);
 }
+const goneBody = 2;
 const bodies = data.bodies.map((body) => ({...body, places: unpack(body.places, 6)}));
 const panels = data.panels.map((panel) => ({
   ...panel,

@@ -35,7 +35,7 @@ def make_build(request: MissionRequest) -> MadeMission:
     check_stands(drawn.problem, ready)
     starts = start_poses(drawn.problem, ready, len(request.robots))
     return MadeMission(
-        tasks_text(drawn, ready, _about(drawn, settings)),
+        tasks_text(drawn, ready, _about(drawn, settings), len(request.team)),
         scenario_text(
             drawn.problem.arena.side,
             ready,

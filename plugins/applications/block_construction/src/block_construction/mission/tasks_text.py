@@ -31,22 +31,25 @@ class _Job(NamedTuple):
     duration: float
 
 
-def tasks_text(drawn: Drawn, ready: Sequence[Ready], about: str) -> str:
+def tasks_text(drawn: Drawn, ready: Sequence[Ready], about: str, team: int) -> str:
     """Write the tasks.
 
     Args:
         drawn: what is built.
         ready: where blocks lie ready.
         about: a line for people.
+        team: how many robots take part.
 
     Raises:
         ConstructionError: there is no order in which it can be built; names a block.
     """
     digits = len(str(len(drawn.problem.diagram.blocks)))
     jobs = list(_jobs(drawn))
+    # Who is not alone waits for a teammate that is at work, before its block is placed or, making room, after that.
+    waiting = max(job.duration for job in jobs) if team > 1 else 0.0
     lines = [f"# {about}", "tasks:"]
     for job in jobs:
-        lines += _lines(drawn, job, ready, digits)
+        lines += _lines(drawn, job._replace(duration=job.duration + waiting), ready, digits)
     return "\n".join(lines) + "\n"
 
 
