@@ -26,6 +26,15 @@ def until(builder, task, activity, action=""):
     raise AssertionError(f"never {activity} {action}")
 
 
+def finish(builder, task):
+    """Let ticks pass until the task is over."""
+    for _ in range(9000):
+        step = builder.tick(task)
+        if step.progress is not Progress.RUNNING:
+            return step
+    raise AssertionError(f"still under way: {builder.states()[-1]}")
+
+
 def test_block_is_fetched_and_placed():
     task = a_task()
     builder = ToyBuilder(task)
@@ -69,14 +78,33 @@ def test_slot_that_is_taken_already_is_left_alone():
     assert not builder.magnet
 
 
+def test_slot_that_a_block_of_another_length_lies_in_fails_the_task():
+    """It is not filled, and not empty either."""
+    task = a_task()
+    builder = ToyBuilder(task)
+    builder.blocks["short"] = SLOT
+    builder.units["short"] = 1
+    step = builder.run(task)
+    assert step.progress is Progress.FAILED
+    assert step.detail == "short lies at (1.02, 0.86) m, 0.04 m high, in the way into the slot of block 1"
+    assert builder.states()[-1]["placed"] == []
+
+
+def test_block_of_another_length_does_not_lie_ready():
+    task = a_task()
+    builder = ToyBuilder(task)
+    builder.units["b1"] = 2
+    step = builder.run(task)
+    assert (step.progress, step.detail) == (Progress.FAILED, "no block of 3 units lies ready at (0.20, 0.20) m")
+
+
 def test_slot_that_is_taken_meanwhile_gets_no_second_block():
     task = a_task()
     builder = ToyBuilder(task)
     builder.behaviour.start(task, builder)
     until(builder, task, "fetching", "retreat")
     builder.blocks["other"] = SLOT
-    while builder.tick(task).progress is Progress.RUNNING:
-        pass
+    finish(builder, task)
     assert builder.held == "b1"
 
 
@@ -111,8 +139,7 @@ def test_block_that_is_lost_on_the_way_is_told_and_another_one_fetched():
     builder.tick(task)
     assert builder.logs() == ["robot=robot1 task=block1 lost b1 on the way; fetches another"]
     assert builder.states()[-1]["missing"] == [1]
-    while builder.tick(task).progress is Progress.RUNNING:
-        pass
+    finish(builder, task)
     assert builder.blocks["b2"] == pytest.approx(SLOT, abs=5e-4)
     assert builder.states()[-1]["missing"] == []
 
@@ -123,8 +150,7 @@ def test_block_that_slides_off_to_before_its_slot_is_taken_up_and_placed_again()
     builder.behaviour.start(task, builder)
     until(builder, task, "placing", "retreat")
     builder.blocks["b1"] = (1.03, 0.80, 0.035)
-    while builder.tick(task).progress is Progress.RUNNING:
-        pass
+    finish(builder, task)
     lies = "b1 lies at (1.03, 0.80) m, 0.04 m high"
     assert builder.logs() == [f"robot=robot1 task=block1 lost b1 after it was placed; {lies}; takes it up again"]
     assert builder.blocks["b1"] == pytest.approx(SLOT, abs=5e-4)
@@ -220,6 +246,7 @@ def test_block_that_does_not_fit_is_laid_down_by_a_wall_before_another_one_is_fe
     until(builder, first, "fetching", "retreat")
     until(builder, first, "driving")
     builder.blocks["b2"] = (0.2, 0.2, 0.035)
+    builder.units["b2"] = 1
     assert builder.run(second).progress is Progress.DONE
     x, y, z = builder.blocks["b1"]
     assert min(x, y, 2.2 - x, 2.2 - y) == pytest.approx(0.12, abs=1e-3)
@@ -238,8 +265,7 @@ def test_builder_waits_a_minute_for_a_block_to_lie_ready():
     for _ in range(500):
         builder.tick(task)
     builder.blocks["b1"] = (0.2, 0.2, 0.035)
-    while builder.tick(task).progress is Progress.RUNNING:
-        pass
+    finish(builder, task)
     assert builder.blocks["b1"] == pytest.approx(SLOT, abs=5e-4)
 
 

@@ -179,12 +179,13 @@ def test_robot_turns_while_it_drives_and_exceeds_no_limit():
     assert 0.0 < near.vx < 0.01
 
 
-def test_block_lies_in_its_slot_within_two_centimetres_on_its_level():
+def test_block_as_long_as_its_slot_lies_in_it_within_two_centimetres_on_its_level():
     slot = block_task(a_task(level=2))
-    assert lies_in(Seen(1.02, 0.879, 0.105, False), slot)
-    assert not lies_in(Seen(1.02, 0.881, 0.105, False), slot)
-    assert not lies_in(Seen(1.02, 0.86, 0.035, False), slot)
-    assert not lies_in(Seen(1.02, 0.86, 0.105, True), slot)
+    assert lies_in(Seen(1.02, 0.879, 0.105, False, "block3"), slot)
+    assert not lies_in(Seen(1.02, 0.881, 0.105, False, "block3"), slot)
+    assert not lies_in(Seen(1.02, 0.86, 0.035, False, "block3"), slot)
+    assert not lies_in(Seen(1.02, 0.86, 0.105, True, "block3"), slot)
+    assert not lies_in(Seen(1.02, 0.86, 0.105, False, "block1"), slot)
 
 
 @pytest.mark.parametrize(
@@ -202,12 +203,12 @@ def test_block_lies_in_its_slot_within_two_centimetres_on_its_level():
 )
 def test_what_lies_before_a_slot_or_askew_in_it_is_in_the_way(x, y, z, level, bars):
     """The slot at (1.02, 0.86) is reached from below; what lies under the slot of level 2 supports it."""
-    assert is_in_lane(Seen(x, y, z, False), block_task(a_task(level=level))) is bars
+    assert is_in_lane(Seen(x, y, z, False, "block3"), block_task(a_task(level=level))) is bars
 
 
 def test_loose_block_takes_up_the_cells_around_it():
     """With the corner at (0, 0), a block at (0.12, 0.04) reaches from 0.05 to 0.19 m and from -0.03 to 0.11 m."""
-    assert cells_around(Seen(0.12, 0.04, 0.03, False), 0.0, 0.0) == {
+    assert cells_around(Seen(0.12, 0.04, 0.03, False, "block3"), 0.0, 0.0) == {
         (column, row) for column in (1, 2, 3) for row in (0, 1, 2)
     }
 
@@ -218,8 +219,8 @@ def test_site_map_knows_what_others_have_placed_until_it_is_seen_elsewhere():
     site.slots.update({1: first, 2: second})
     site.hear(frozenset({1}))
     assert site.covered == {(3, 1), (4, 1), (5, 1)}
-    assert site.look({"b1": Seen(1.02, 0.86, 0.035, False)}) == ()
-    away = {"b1": Seen(0.3, 1.8, 0.035, False)}
+    assert site.look({"b1": Seen(1.02, 0.86, 0.035, False, "block3")}) == ()
+    away = {"b1": Seen(0.3, 1.8, 0.035, False, "block3")}
     assert site.look(away) == ()
     assert site.look(away) == (1,)
     assert (site.standing, site.missing) == (frozenset(), {1})

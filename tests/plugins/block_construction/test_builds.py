@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from types import SimpleNamespace
 
@@ -27,9 +28,12 @@ def say(measure, now, task, activity, x):
     measure.hear(Heard("/robot1/builder_state", "", now, fields, robot="robot1"))
 
 
-def show(measure, *places):
-    bodies = [{"id": f"b{x}", "position": {"x": x, "y": y, "z": z}, "held": False} for x, y, z in places]
-    measure.hear(Heard("/simulation/bodies", "", 0.0, {"detections": bodies}))
+def body(x, y, z, *, kind="block3", yaw=0.0, held=False):
+    return {"id": "b1", "kind": kind, "position": {"x": x, "y": y, "z": z}, "held": held, "yaw": yaw}
+
+
+def show(measure, *bodies):
+    measure.hear(Heard("/simulation/bodies", "", 0.0, {"detections": list(bodies)}))
 
 
 def test_time_and_way_are_parted_where_the_block_is_drawn_back():
@@ -81,16 +85,40 @@ def test_silence_of_a_robot_is_not_counted():
     assert measure.value(None)["fetching"]["seconds"] == 0.0
 
 
-def test_blocks_count_as_placed_within_two_centimetres_on_their_level():
+def test_blocks_count_as_placed_within_two_centimetres_and_five_millimetres_of_height():
     """Of slots (1.02, 0.86) on levels 1, 2, 3: one is filled exactly, one 5 mm off, one 3 cm off."""
     slots = [block_task(a_task(level, level)) for level in (1, 2, 3)]
-    places = [(1.02, 0.86, 0.035), (1.023, 0.864, 0.106), (1.05, 0.86, 0.175)]
-    assert errors_of(slots, places) == pytest.approx([0.0, 0.005])
+    bodies = [body(1.02, 0.86, 0.035), body(1.023, 0.864, 0.106), body(1.05, 0.86, 0.175)]
+    assert [each.aside for each in errors_of(slots, bodies)] == pytest.approx([0.0, 0.005])
     measure = measure_of(*(a_task(level, level) for level in (1, 2, 3)))
-    show(measure, *places)
+    show(measure, *bodies)
     found = measure.value(None)
     assert (found["blocks"], found["placed"]) == (3, 2)
+    assert found["max_height_error"] == pytest.approx(0.001)
     assert (found["mean_error"], found["max_error"]) == (pytest.approx(0.0025), pytest.approx(0.005))
+
+
+@pytest.mark.parametrize(
+    ("units", "changes", "placed"),
+    [
+        (3, {}, 1),
+        (3, {"kind": "block1"}, 0),
+        (3, {"held": True}, 0),
+        (3, {"yaw": math.pi / 2}, 0),
+        (3, {"yaw": math.pi}, 1),
+        (3, {"yaw": math.radians(9.0) - math.pi}, 1),
+        (3, {"yaw": math.radians(11.0)}, 0),
+        (3, {"z": 0.045}, 0),
+        (3, {"z": 0.031}, 1),
+        (1, {"kind": "block1", "yaw": math.pi / 2}, 1),
+        (1, {"kind": "block1", "yaw": math.pi / 4}, 0),
+    ],
+)
+def test_body_of_another_length_or_turned_or_in_the_air_is_not_placed(units, changes, placed):
+    """The slot lies along x; one of a single unit has no long axis."""
+    measure = measure_of(a_task(units=units))
+    show(measure, body(**{"x": 1.02, "y": 0.86, "z": 0.035, **changes}))
+    assert measure.value(None)["placed"] == placed
 
 
 def test_where_nothing_is_built_nothing_is_heard():

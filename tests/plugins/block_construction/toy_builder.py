@@ -38,6 +38,8 @@ class ToyBuilder:
         self.held = ""
         self.magnet = False
         self.blocks: Dict[str, Tuple[float, float, float]] = {"b1": (0.2, 0.2, 0.035)}
+        self.units: Dict[str, int] = {}
+        """How long blocks are that are not 3 units long."""
         self.grips = True
         self._aside = 0.0
         self.sees = True
@@ -125,7 +127,9 @@ class ToyBuilder:
                 if name != self.held:
                     dx, dy = x - self.pose.x, y - self.pose.y
                     position = {"x": cos * dx + sin * dy, "y": cos * dy - sin * dx, "z": z}
-                    seen.append({"id": name, "kind": "block", "position": position, "held": False})
+                    seen.append(
+                        {"id": name, "kind": f"block{self.units.get(name, 3)}", "position": position, "held": False}
+                    )
             self._hear("detections", {"detections": seen})
 
     def _hear(self, topic: str, fields: Mapping[str, Any]) -> None:

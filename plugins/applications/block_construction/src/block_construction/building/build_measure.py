@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
-from block_construction.building.eyes import LEVEL, WITHIN
+from block_construction.building.eyes import WITHIN
 from block_construction.building.slot import KIND, BlockTask, block_task
 from block_construction.building.state import BUILDER_STATE, BUILDER_STATE_TYPE
 from rqt_mrta_py.hooks import Heard, MeasureSetup, Subscription
 from rqt_mrta_py.model import MissionRecord
 
-__all__ = ["BuildMeasure", "errors_of"]
+__all__ = ["BuildMeasure", "PlacingError", "errors_of"]
 
 _STATES = Subscription(f"/@robot_id@/{BUILDER_STATE}", BUILDER_STATE_TYPE, ("task", "activity", "pose/x", "pose/y"))
 _BODIES = Subscription("/simulation/bodies", "rqt_mrta_py/Detections", ("detections",))
@@ -20,6 +20,10 @@ _BUMPERS = Subscription("/@robot_id@/bumper", "std_msgs/Bool", ("data",))
 _REMOVED = Subscription("/mrta/robot_removed", "std_msgs/String", ("data",))
 _STRIDE = 0.01
 """Ways are measured between spots so far apart [m]: noise of a robot that stands is no way."""
+_HEIGHT = 0.005
+"""So near its height a block lies on what is under it [m]."""
+_TURN = math.radians(10.0)
+"""Turned no more than so far a block lies along its slot [rad]."""
 _PAUSE = 2.0
 """Of a robot that says nothing for so long nobody knows what it does [s]."""
 
@@ -53,8 +57,8 @@ class BuildMeasure:
     """Listens to builders and to where blocks are in the end; a Measure.
 
     Fetching lasts from the beginning of a task until its block is drawn back from the supply place, placing from there
-    until the task ends: the source's manipulation and assembly. A block counts as placed if some body lies within 2 cm
-    of the middle of its slot and as high as its level is.
+    until the task ends: the source's manipulation and assembly. A block counts as placed if a body as long as its
+    slot lies in it: within 2 cm of the middle, within 5 mm of its height, turned by at most 10 degrees, held by nobody.
 
     Args:
         setup: whose mission may have tasks of kind ``place_block``; if it has none, nothing is heard.
@@ -121,16 +125,17 @@ class BuildMeasure:
 
         Returns:
             ``blocks``: how many there are to be; ``placed``: how many lie in their slots in the end; ``mean_error`` and
-            ``max_error``: of those, from the middles of their slots [m], None where there are none; ``fetching`` and
-            ``placing``: ``seconds`` and ``metres`` of all robots together; ``waiting``: of these, so many seconds;
+            ``max_error``: of those, from the middles of their slots, seen from above, and ``max_height_error``: up or
+            down [m], None where there are none; ``fetching`` and ``placing``: ``seconds`` and ``metres`` of all robots
+            together; ``waiting``: of these, so many seconds;
             ``nearest``: how near the middles of two robots came to each other [m], None for one robot; ``collisions``:
             how often a robot began to touch anything but blocks, as its bumper felt, so that two robots that meet count
             twice, None without bumpers. None where nothing is built.
         """
         if not self._slots:
             return None
-        places = [tuple(body["position"][axis] for axis in "xyz") for body in self._bodies if not body["held"]]
-        errors = errors_of(list(self._slots.values()), places)
+        found = errors_of(list(self._slots.values()), self._bodies)
+        errors = [each.aside for each in found]
         accounts = {
             name: {"seconds": account.seconds, "metres": account.metres}
             for name, account in (("fetching", self._fetching), ("placing", self._placing))
@@ -140,6 +145,7 @@ class BuildMeasure:
             "placed": len(errors),
             "mean_error": math.fsum(errors) / len(errors) if errors else None,
             "max_error": max(errors, default=None),
+            "max_height_error": max((each.height for each in found), default=None),
             **accounts,
             "waiting": self._waiting,
             "nearest": None if math.isinf(self._nearest) else self._nearest,
@@ -155,17 +161,44 @@ class BuildMeasure:
             robot.spot = here
 
 
-def errors_of(slots: Sequence[BlockTask], places: Sequence[Tuple[float, ...]]) -> List[float]:
-    """Give how far bodies lie from the middles of the slots that they lie in [m]; nothing of empty slots.
+class PlacingError(NamedTuple):
+    """How far a body lies off its slot.
+
+    Attributes:
+        aside: of its middle, seen from above [m].
+        height: up or down [m].
+    """
+
+    aside: float
+    height: float
+
+
+def errors_of(slots: Sequence[BlockTask], bodies: Sequence[Mapping[str, Any]]) -> List[PlacingError]:
+    """Give how far bodies lie off the slots that they lie in; nothing of slots that are not filled rightly.
 
     Args:
         slots: where bodies belong.
-        places: x, y, z of bodies [m].
+        bodies: as ``/simulation/bodies`` tells of them.
     """
-    errors: List[float] = []
+    errors: List[PlacingError] = []
     for slot in slots:
-        level = [math.dist(place[:2], (slot.x, slot.y)) for place in places if abs(place[2] - slot.z) <= LEVEL]
-        nearest = min(level, default=math.inf)
-        if nearest <= WITHIN:
+        inside = [_error(slot, body["position"]) for body in bodies if _fits(slot, body)]
+        nearest = min(inside, default=PlacingError(math.inf, math.inf))
+        if nearest.aside <= WITHIN:
             errors.append(nearest)
     return errors
+
+
+def _error(slot: BlockTask, position: Mapping[str, float]) -> PlacingError:
+    aside = math.dist((position["x"], position["y"]), (slot.x, slot.y))
+    return PlacingError(aside, abs(position["z"] - slot.z))
+
+
+def _fits(slot: BlockTask, body: Mapping[str, Any]) -> bool:
+    """Tell whether a body is as long as a slot, lies along it, and lies on its level, wherever that is."""
+    if body["held"] or body["kind"] != slot.kind or abs(body["position"]["z"] - slot.z) > _HEIGHT:
+        return False
+    # A block of one unit lies along x or y, as it is placed from the one side or the other.
+    period = math.pi if slot.units > 1 else math.pi / 2.0
+    turn = math.remainder(body["yaw"] - slot.yaw, period)
+    return abs(turn) <= _TURN

@@ -10,13 +10,13 @@ from block_construction.building.slot import BlockTask
 from rqt_mrta_py.hooks import Heard, Perception, Subscription
 from rqt_mrta_py.model import Pose
 
-__all__ = ["DETECTIONS", "LEVEL", "LONGEST_LOOK", "WITHIN", "Eyes", "Seen", "lies_in"]
+__all__ = ["DETECTIONS", "LONGEST_LOOK", "WITHIN", "Eyes", "Seen", "lies_in"]
 
 DETECTIONS = Subscription("detections", "rqt_mrta_py/Detections", ("detections",))
 
 WITHIN = 0.02
 """So near the middle of its slot a block lies in it [m]."""
-LEVEL = 0.02
+_LEVEL = 0.02
 """So near its height a block lies on its level [m]."""
 LONGEST_LOOK = 5.0
 """A builder that sees nothing for so long takes it that it has no eyes [s]."""
@@ -28,18 +28,23 @@ class Seen(NamedTuple):
     Attributes:
         x, y, z: its middle, frame ``map`` [m].
         held: whether a robot at work holds it.
+        kind: block1, block2, ..., by its length.
     """
 
     x: float
     y: float
     z: float
     held: bool
+    kind: str
 
 
 def lies_in(seen: Seen, slot: BlockTask) -> bool:
-    """Tell whether a block lies in a slot: within 2 cm of its middle, on its level, held by nobody."""
+    """Tell whether a block as long as its slot lies in it: within 2 cm of its middle, on its level, held by nobody.
+
+    How it is turned no detector tells.
+    """
     beside = math.hypot(seen.x - slot.x, seen.y - slot.y)
-    return beside <= WITHIN and abs(seen.z - slot.z) <= LEVEL and not seen.held
+    return seen.kind == slot.kind and beside <= WITHIN and abs(seen.z - slot.z) <= _LEVEL and not seen.held
 
 
 class Eyes:
@@ -47,7 +52,6 @@ class Eyes:
 
     def __init__(self) -> None:
         self._heard: Optional[Heard] = None
-        self._seen: Dict[str, Seen] = {}
 
     def look(self, perception: Perception, robot: Pose) -> Optional[Mapping[str, Seen]]:
         """Give what is seen, by the blocks' ids.
@@ -67,11 +71,5 @@ class Eyes:
         for each in heard.fields["detections"]:
             position = each["position"]
             place = composed(robot, Pose(position["x"], position["y"]))
-            seen[each["id"]] = Seen(place.x, place.y, position["z"], each["held"])
-        self._seen = seen
+            seen[each["id"]] = Seen(place.x, place.y, position["z"], each["held"], each["kind"])
         return seen
-
-    @property
-    def seen(self) -> Mapping[str, Seen]:
-        """What was seen at the last look."""
-        return self._seen

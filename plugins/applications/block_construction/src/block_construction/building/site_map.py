@@ -42,8 +42,8 @@ class Found(NamedTuple):
     seen: Seen
 
     def __str__(self) -> str:
-        x, y, z, _ = self.seen
-        return f"{self.name} lies at ({x:.2f}, {y:.2f}) m, {z:.2f} m high"
+        seen = self.seen
+        return f"{self.name} lies at ({seen.x:.2f}, {seen.y:.2f}) m, {seen.z:.2f} m high"
 
 
 class SiteMap:

@@ -70,6 +70,11 @@ class BlockTask:
     arena: float
 
     @property
+    def kind(self) -> str:
+        """Of the bodies that belong into it, as detectors tell it: block1, block2, ..."""
+        return f"block{self.units}"
+
+    @property
     def z(self) -> float:
         """Height of the block's middle once it lies in its slot [m]."""
         return BODY_HEIGHT * (self.level - 0.5)

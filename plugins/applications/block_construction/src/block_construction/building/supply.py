@@ -58,7 +58,7 @@ class Supply:
         if seen is None:
             return not self._has_looked and waited > LONGEST_LOOK
         self._has_looked = True
-        if any(is_ready(each, fetch) for each in seen.values()):
+        if any(each.kind == self._slot.kind and is_ready(each, fetch) for each in seen.values()):
             return True
         if waited > _PATIENCE:
             self._empty.append(fetch)

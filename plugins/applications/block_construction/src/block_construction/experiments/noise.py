@@ -63,7 +63,7 @@ def measure_noise(options: Options, laboratory: Laboratory) -> BenchmarkReport:
             "x and y of poses are off by numbers evenly distributed within the error; headings are exact.",
             "Lasts 0 s: drawn for each pose. What a robot averages while it stands; no averaging removes what lasts.",
             "Wheels count with the errors of table 18; what they count is fused with the poses.",
-            "Whole: every block within 2 cm of its slot's middle, on its level.",
+            "Whole: every slot filled as it should be: within 2 cm, 5 mm of height and 10 degrees.",
             SHARES,
             MEANS,
         ),
