@@ -29,6 +29,7 @@ EVENTS: List[Tuple[float, str, str, str, str]] = [
     (9.0, "robot_stops", "robot3", "", ""),
     (10.0, "robot_returns", "robot3", "", ""),
     (11.0, "robot_removed", "robot5", "", ""),
+    (11.0, "robot_removed", "robot3", "", ""),
 ]
 
 
@@ -100,7 +101,10 @@ def test_operators_orders_are_given_at_their_times(troubled: Outputs) -> None:
 
 def test_operator_tells_who_was_taken_off_the_floor_and_it_says_nothing_more(troubled: Outputs) -> None:
     told = heard(troubled, "/mrta/robot_removed")
-    assert told == [(pytest.approx(11.0), "/operator", {"data": "robot5"})]
+    assert told == [
+        (pytest.approx(11.0), "/operator", {"data": "robot5"}),
+        (pytest.approx(11.0), "/operator", {"data": "robot5 robot3"}),
+    ]
     poses = [time for time, _, _ in heard(troubled, "/robot5/pose")]
     assert poses[-1] == pytest.approx(10.9)
     assert heard(troubled, "/robot4/pose")[-1][0] == pytest.approx(12.0)

@@ -121,6 +121,11 @@ def test_operator_tells_which_robot_was_removed():
     assert (order.topic, order.type, order.fields) == ("/mrta/robot_removed", "std_msgs/String", {"data": "r2"})
 
 
+def test_operator_tells_of_all_who_were_removed_so_far():
+    order = order_of(ScenarioEvent(1.0, KIND.ROBOT_REMOVED, "r2"), None, 2.0, removed=("r4", "r1"))
+    assert order.fields == {"data": "r4 r1 r2"}
+
+
 def test_operators_order_to_reassign_names_the_robot_that_it_goes_to():
     fields = order_of(ScenarioEvent(1.0, KIND.TASK_REASSIGNED, "r2", "dig"), DIG, 2.0).fields
     assert (fields["task_id"], fields["robot_id"], fields["task_yaml"]) == ("dig", "r2", "")

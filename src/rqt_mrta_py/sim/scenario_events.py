@@ -13,7 +13,8 @@ from rqt_mrta_py.sim.radio import radio_of
 __all__ = ["ROBOT_REMOVED", "in_order", "label_of", "order_of"]
 
 ROBOT_REMOVED = "/mrta/robot_removed"
-"""Where an operator tells which robot was taken off the floor for good (std_msgs/String): its id."""
+"""Where an operator tells which robots were taken off the floor for good (std_msgs/String): the ids of all so far, with
+spaces between, so that who hears the newest message only knows of each."""
 
 _MOST_NAMES = 5
 _MOST_GROUPS = 4
@@ -50,19 +51,20 @@ def label_of(event: ScenarioEvent, now: float) -> Outgoing:
     return Outgoing("/mrta/scenario_event", "rqt_mrta_py/ScenarioEvent", fields)
 
 
-def order_of(event: ScenarioEvent, task: Optional[Task], now: float) -> Optional[Outgoing]:
-    """Say what an operator wants of a task (``/mrta/task_progress``), or which robot is gone (``/mrta/robot_removed``).
+def order_of(event: ScenarioEvent, task: Optional[Task], now: float, removed: Sequence[str] = ()) -> Optional[Outgoing]:
+    """Say what is wanted of a task (``/mrta/task_progress``), or which robots are gone (``/mrta/robot_removed``).
 
     Args:
         event: what happened.
         task: that it happened to; None if unknown.
         now: when [s].
+        removed: ids of the robots that were taken off the floor before, oldest first.
 
     Returns:
         What the node ``/operator`` is to publish; None for an event that no operator speaks of.
     """
     if event.kind is ScenarioEventKind.ROBOT_REMOVED:
-        return Outgoing(ROBOT_REMOVED, "std_msgs/String", {"data": event.robot or ""})
+        return Outgoing(ROBOT_REMOVED, "std_msgs/String", {"data": " ".join([*removed, event.robot or ""])})
     if event.kind not in _ORDERS:
         return None
     progress, detail = _ORDERS[event.kind]

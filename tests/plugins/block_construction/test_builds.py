@@ -204,6 +204,17 @@ def test_robots_are_as_near_as_they_come_until_one_is_removed():
     assert measure.value(None)["nearest"] == pytest.approx(0.5)
 
 
+def test_several_are_removed_at_once():
+    """Both others are gone from where robot1 drives then."""
+    measure = measure_of(a_task())
+    for robot, x in (("robot2", 5.0), ("robot3", 6.0)):
+        fields = {"task": "block2", "activity": "driving", "pose/x": x, "pose/y": 0.0}
+        measure.hear(Heard(f"/{robot}/builder_state", "", 0.0, fields, robot=robot))
+    measure.hear(Heard("/mrta/robot_removed", "", 1.0, {"data": "robot2 robot3"}))
+    say(measure, 2.0, "block1", "driving", 5.1)
+    assert measure.value(None)["nearest"] == pytest.approx(1.0)
+
+
 def test_who_makes_room_after_placing_is_at_no_work():
     measure = measure_of(a_task())
     say(measure, 0.0, "block1", "placing", 0.0)

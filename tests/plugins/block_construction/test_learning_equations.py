@@ -1,11 +1,13 @@
 from __future__ import annotations
 
+import itertools
 import math
 from collections import deque
 from typing import Deque, List
 
 import numpy as np
 import pytest
+from block_construction.diagram.codes import FAULTS
 from block_construction.learning.credit import is_fault, local_cost
 from block_construction.learning.fala import chosen_probability, other_probability
 from block_construction.learning.memory import HELD, LEAST_HELD, TOTAL, empty_memory, remember
@@ -135,6 +137,11 @@ def test_faults_are_the_sources_thirteen() -> None:
     listed = ["22", "33", "55", "66", "44", "42", "43", "45", "46", "24", "34", "54", "64"]
     found = [f"{lower}{upper}" for lower in range(1, 7) for upper in range(1, 7) if is_fault(lower, upper)]
     assert found == sorted(listed)
+
+
+def test_rule_of_faults_that_is_compiled_is_that_of_the_cost_of_diagrams() -> None:
+    for pair in itertools.product(range(1, 7), repeat=2):
+        assert is_fault(*pair) is (pair in FAULTS)
 
 
 def test_a_block_is_told_its_own_faults_less_its_units() -> None:

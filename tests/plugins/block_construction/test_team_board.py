@@ -73,6 +73,28 @@ def test_the_silent_stand_where_they_last_said_to_be_until_they_are_removed() ->
     assert len(board.peers(ear)) == 1
 
 
+def test_two_who_are_removed_between_two_looks_are_both_gone() -> None:
+    board, ear = a_board("robot2", "robot3", "robot4"), Ear()
+    for robot in ("robot2", "robot3", "robot4"):
+        ear.state(robot, TimedPoint(0.0, 0.5, 0.5))
+    assert len(board.peers(ear)) == 3
+    ear.hear(ROBOT_REMOVED, {"data": "robot2"})
+    ear.hear(ROBOT_REMOVED, {"data": "robot2 robot3"})
+    assert [peer.id for peer in board.peers(ear)] == ["robot4"]
+
+
+def test_who_came_back_and_is_removed_again_is_gone_again() -> None:
+    board, ear = a_board("robot2"), Ear()
+    ear.hear(ROBOT_REMOVED, {"data": "robot2"})
+    assert board.peers(ear) == ()
+    ear.now = 10.0
+    ear.state("robot2", TimedPoint(10.0, 0.3, 0.3))
+    assert len(board.peers(ear)) == 1
+    ear.now = 11.0
+    ear.hear(ROBOT_REMOVED, {"data": "robot2"})
+    assert board.peers(ear) == ()
+
+
 def test_who_is_seen_off_its_way_stands_where_it_is_seen():
     """It reserved a way to x = 2 m at 0.03 m/s, and stops at 10 s, at x = 0.8 m; 3.1 s later that is seen."""
     board, ear = a_board("robot2"), Ear()

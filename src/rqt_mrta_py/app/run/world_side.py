@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Mapping
+from typing import List, Mapping
 
 from rqt_mrta_py.app.guard import makers
 from rqt_mrta_py.app.mission_message import mission_message
@@ -13,7 +13,7 @@ from rqt_mrta_py.app.run.ending import MissionEnd
 from rqt_mrta_py.errors import UsageError
 from rqt_mrta_py.hooks import Codec, Outgoing, TeamOutgoing
 from rqt_mrta_py.hooks.manager import PluginManager
-from rqt_mrta_py.model import Mission, ScenarioSpec
+from rqt_mrta_py.model import Mission, ScenarioEventKind, ScenarioSpec
 from rqt_mrta_py.sim import Simulation, label_of, order_of
 from rqt_mrta_py.transport import Bus, Node
 
@@ -82,6 +82,7 @@ class WorldSide:
         self.end = MissionEnd(mission)
         if self.end.is_awaited:
             self.bus.node("/end").subscribe(self.end.SUBSCRIPTION, self.end.hear)
+        self._removed: List[str] = []
         self._driver_of: Mapping[str, Node] = {}
 
     def speak_through(self, drivers: Mapping[str, Node]) -> None:
@@ -99,9 +100,11 @@ class WorldSide:
             self._world_node.publish(mission_message(self.mission, now, self._duration), now)
         for event in self.simulation.begin_tick(tick, now):
             self._world_node.publish(label_of(event, now), now)
-            order = order_of(event, self._tasks.get(event.task or ""), now)
+            order = order_of(event, self._tasks.get(event.task or ""), now, self._removed)
             if order is not None:
                 self._operator_node.publish(order, now)
+            if event.kind is ScenarioEventKind.ROBOT_REMOVED and event.robot:
+                self._removed.append(event.robot)
 
     def tell(self, tick: int, now: float) -> None:
         """Tell the time, where loose bodies are, and what sensors measure; arguments as of ``happen``."""

@@ -87,7 +87,8 @@ class BuildMeasure:
         """Take in one message."""
         fields = heard.fields
         if heard.topic == _REMOVED.topic:
-            self._robots.pop(str(fields["data"]), None)
+            for robot_id in str(fields["data"]).split():
+                self._robots.pop(robot_id, None)
             return
         if not heard.robot:
             self._bodies = fields["detections"]

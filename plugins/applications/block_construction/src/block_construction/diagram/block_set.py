@@ -6,7 +6,7 @@ from typing import Iterable, NamedTuple, Tuple
 
 from block_construction.errors import ConstructionError
 
-__all__ = ["BODY_HEIGHT", "BODY_WIDTH", "DEFAULT_LENGTHS", "PITCH", "BodySize", "block_lengths", "body_size"]
+__all__ = ["BODY_HEIGHT", "BODY_WIDTH", "DEFAULT_LENGTHS", "LONGEST", "PITCH", "BodySize", "block_lengths", "body_size"]
 
 PITCH = 0.08
 """Edge of one cell of the grid [m]."""
@@ -18,7 +18,8 @@ _BODY_LENGTH = 0.06
 """Of a block's body, for each of its units [m]."""
 DEFAULT_LENGTHS = (1, 2, 3)
 """Units of the blocks that the source's experiments have."""
-_LONGEST = 16
+LONGEST = 16
+"""Units of the longest block that is accepted."""
 
 
 class BodySize(NamedTuple):
@@ -48,9 +49,9 @@ def block_lengths(given: Iterable[int]) -> Tuple[int, ...]:
             structure can be covered.
     """
     lengths = tuple(sorted(set(given)))
-    wrong = next((length for length in lengths if not 1 <= length <= _LONGEST), None)
+    wrong = next((length for length in lengths if not 1 <= length <= LONGEST), None)
     if wrong is not None:
-        raise ConstructionError(f"blocks of {wrong} units; accepted are 1 to {_LONGEST}")
+        raise ConstructionError(f"blocks of {wrong} units; accepted are 1 to {LONGEST}")
     if not lengths or lengths[0] != 1:
         found = ", ".join(map(str, lengths)) or "none"
         raise ConstructionError(f"blocks of {found} units; a block of 1 unit must be among them")

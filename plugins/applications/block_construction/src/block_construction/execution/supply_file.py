@@ -10,6 +10,7 @@ from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Tup
 
 import yaml
 
+from block_construction.diagram.block_set import LONGEST
 from block_construction.documents import bounded_text
 from block_construction.errors import ConstructionError
 from block_construction.execution.arena import Arena
@@ -19,7 +20,6 @@ __all__ = ["Supply", "read_supply", "supply_document", "supply_named", "supply_o
 
 _MOST_BYTES = 1_000_000
 _MOST_PLACES = 100
-_LONGEST = 16
 _ARENA_KEYS = ("side", "cell", "robot_radius", "stand_off", "start")
 _PLACE_KEYS = ("x", "y", "yaw", "blocks")
 
@@ -152,7 +152,7 @@ def _stock(name: str, where: str, found: object) -> Dict[int, Optional[int]]:
         length = _length(units)
         if length is None or length in stock or not (count is None or _is_count(count)):
             raise ConstructionError(
-                f"{name}: {where}: found {_shown(units)}: {_shown(count)}; accepted are lengths of 1 to {_LONGEST} "
+                f"{name}: {where}: found {_shown(units)}: {_shown(count)}; accepted are lengths of 1 to {LONGEST} "
                 "units, each once, with how many there are (null: as many as are needed)"
             )
         stock[length] = count
@@ -164,7 +164,7 @@ def _stock(name: str, where: str, found: object) -> Dict[int, Optional[int]]:
 def _length(found: Any) -> Optional[int]:
     """Read the length of a block, which JSON has as text where it is a key; None if it is none."""
     number = int(found) if isinstance(found, str) and re.fullmatch("[0-9]{1,2}", found) else found
-    return number if _is_count(number) and 1 <= number <= _LONGEST else None
+    return number if _is_count(number) and 1 <= number <= LONGEST else None
 
 
 def _is_count(value: Any) -> bool:

@@ -6,6 +6,7 @@ from typing import Any, List, Mapping, NamedTuple, Optional, Tuple
 
 from team_measures.statistics.tables import rounded
 
+from block_construction.building.procedures import TRAVEL_SPEED
 from block_construction.experiments.part import Options
 from block_construction.experiments.published_builds import BUILDS, Build
 from block_construction.pictures.bars import Handling, handling_bars
@@ -14,7 +15,6 @@ from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Experiment, Labor
 __all__ = ["APPLICATION", "build_of", "measure_builds"]
 
 APPLICATION = "block_construction"
-_TRAVEL_SPEED = 0.03
 _STRUCTURES = ("wall", "tower", "dam", "pyramid", "station", "cistern")
 _FEW_STRUCTURES = ("wall",)
 
@@ -73,9 +73,9 @@ def _row(case: _Case, build: Mapping[str, Any]) -> Tuple[Any, ...]:
     published: List[Optional[float]] = [None] * 3
     if source is not None:
         time, way = source.fetching_minutes + source.placing_minutes, source.fetching + source.placing
-        published = [time, way, (60.0 * time - way / _TRAVEL_SPEED) / source.blocks]
+        published = [time, way, (60.0 * time - way / TRAVEL_SPEED) / source.blocks]
     errors = [None if build[name] is None else 1000.0 * build[name] for name in ("mean_error", "max_error")]
-    beyond = (60.0 * sum(minutes) - sum(metres) / _TRAVEL_SPEED) / build["blocks"]
+    beyond = (60.0 * sum(minutes) - sum(metres) / TRAVEL_SPEED) / build["blocks"]
     return (
         *(case.label, build["placed"], build["blocks"], *(rounded(error) for error in errors)),
         *(rounded(value, 1) for value in (*minutes, sum(minutes), published[0])),

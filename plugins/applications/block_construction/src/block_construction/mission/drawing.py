@@ -7,6 +7,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Callable, Mapping, NamedTuple, Optional
 
+from block_construction.building.procedures import STAND_OFF
 from block_construction.diagram.block_set import DEFAULT_LENGTHS
 from block_construction.diagram.diagram import AssemblyDiagram
 from block_construction.diagram.planning import plan_diagram
@@ -27,10 +28,7 @@ from block_construction.mission.starts import start_point
 from block_construction.structure.drawings import MOST_BYTES, read_structure
 from rqt_mrta_py.hooks import AssemblyPlanner, Structure, UsageError
 
-__all__ = ["STAND_OFF", "Drawn", "draw"]
-
-STAND_OFF = 0.55
-"""From the middle of a block to where the robot's centre stands before it lowers its arm [m]."""
+__all__ = ["Drawn", "draw"]
 
 _SOURCE = "wall_source"
 

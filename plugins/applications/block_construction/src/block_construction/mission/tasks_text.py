@@ -7,6 +7,7 @@ from typing import Dict, Iterator, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
+from block_construction.building.procedures import TRAVEL_SPEED
 from block_construction.diagram.diagram import PlacedBlock
 from block_construction.execution.problem import START
 from block_construction.mission.drawing import Drawn
@@ -14,10 +15,8 @@ from block_construction.mission.fetching import Ready
 from block_construction.mission.numbers import listed, number
 from block_construction.mission.precedence import precedence
 
-__all__ = ["TRAVEL_SPEED", "expected_total", "tasks_text"]
+__all__ = ["expected_total", "tasks_text"]
 
-TRAVEL_SPEED = 0.03
-"""Of the source's robot [m/s]."""
 _AT_WORK = 80.0
 """Turning, fetching and placing take so long for each block, beyond driving [s] (Dantas 2017, tables 10 to 16)."""
 

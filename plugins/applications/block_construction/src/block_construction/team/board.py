@@ -36,6 +36,7 @@ class TeamBoard:
     """Hears what teammates say.
 
     Who has been silent for 5 s stands where it last said to be, for ever, until an operator tells that it was removed.
+    An operator names all who were removed so far, for only the newest message is heard; who speaks again is back.
     Who is seen off the way that it has reserved, for it has let go of its task or has stopped, stands where it is seen.
     Of who has not said anything yet, the localiser says where it is.
 
@@ -96,7 +97,13 @@ class TeamBoard:
         silent = tuple(each is not None and perception.now - each.receipt > _SILENT for each in heard.values())
         unknown = [perception.newest(_pose(robot)) for robot, each in heard.items() if each is None]
         astray = [self._astray(robot, each, perception) for robot, each in heard.items()]
-        key = (tuple(map(id, heard.values())), silent, tuple(map(id, unknown)), tuple(astray), len(self._removed))
+        key = (
+            tuple(map(id, heard.values())),
+            silent,
+            tuple(map(id, unknown)),
+            tuple(astray),
+            tuple(self._removed.items()),
+        )
         if key != self._peers[0]:
             found = []
             for robot, is_silent, stands in zip(self._others, silent, astray):
@@ -112,7 +119,8 @@ class TeamBoard:
         announced = perception.newest(ROBOT_REMOVED)
         if announced is not None and announced is not self._announced:
             self._announced = announced
-            self._removed[str(announced.fields["data"])] = announced.receipt
+            for robot in str(announced.fields["data"]).split():
+                self._removed[robot] = announced.receipt
 
     @staticmethod
     def _is_placed_again(number: int, told: Sequence[Heard]) -> bool:
