@@ -1,8 +1,9 @@
 from __future__ import annotations
 
-import contextlib
 import io
 import struct
+from pathlib import Path
+from typing import List, Tuple
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from block_construction.structure.level_maps import read_level_maps, write_level
 from block_construction.structure.library import library_structure, structure_names
 from block_construction.structure.npy_file import read_npy, write_npy
 from block_construction.structure.vox_file import read_vox, write_vox
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rqt_mrta_py.hooks import Structure, Voxel
@@ -166,13 +167,68 @@ def test_broken_vox_files_are_refused_in_one_line(content: bytes, complaint: str
     assert "\n" not in str(caught.value)
 
 
-@given(st.binary(max_size=200), st.integers(0, 115), st.integers(0, 255))
-def test_no_bytes_break_the_readers(noise: bytes, place: int, value: int) -> None:
-    changed = bytearray(write_vox(library_structure("wall")))
-    changed[place] = value
-    for reader, content in ((read_vox, noise), (read_npy, noise), (read_vox, bytes(changed))):
-        with contextlib.suppress(ConstructionError):
-            assert reader("noise", content).size > 0
+_WALL = library_structure("wall")
+_FORMS = {".vox": write_vox(_WALL), ".npy": write_npy(_WALL), ".txt": write_level_maps(_WALL).encode()}
+
+
+def is_read_or_refused(path: Path, content: bytes) -> bool:
+    """Tell whether a drawing gives a structure or one line that can be shown."""
+    path.write_bytes(content)
+    try:
+        return read_structure(str(path)).size > 0
+    except ConstructionError as error:
+        return str(error).isprintable()
+
+
+@given(st.sampled_from(sorted(_FORMS)), st.binary(max_size=200))
+def test_no_bytes_break_the_readers(tmp_path_factory: pytest.TempPathFactory, form: str, noise: bytes) -> None:
+    assert is_read_or_refused(tmp_path_factory.getbasetemp() / f"noise{form}", noise)
+
+
+@settings(max_examples=400)
+@given(
+    st.sampled_from(sorted(_FORMS)),
+    st.lists(st.tuples(st.integers(0, 2**16), st.integers(0, 255)), max_size=4),
+    st.integers(0, 2**16),
+)
+def test_a_damaged_drawing_is_read_or_refused_in_one_line(
+    tmp_path_factory: pytest.TempPathFactory, form: str, changes: List[Tuple[int, int]], cut: int
+) -> None:
+    changed = bytearray(_FORMS[form])
+    for place, value in changes:
+        changed[place % len(changed)] = value
+    del changed[cut % (2 * len(changed)) :]
+    assert is_read_or_refused(tmp_path_factory.getbasetemp() / f"damaged{form}", bytes(changed))
+
+
+def _npy(header: str, cells: bytes = bytes([1])) -> bytes:
+    line = f"{header}\n".encode("latin-1")
+    return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(line)) + line + cells
+
+
+@pytest.mark.parametrize(
+    ("header", "complaint"),
+    [
+        ("{'descr': '|b1', 'fortran_order': False, 'shape': (1, 1, 1", "no NumPy array"),
+        ("{'descr': '|b1', 'fortran_order': False, 'shape': (True, True, True)}", "no whole number"),
+        ("{'descr': '|b1', 'fortran_order': False, 'shape': (-1, 1, -1)}", "each side must be 1 or more"),
+        ("{'descr': '|b1', 'fortran_order': False, 'shape': (1, 2, 1)}", "cut off: 1 bytes of cells, and there must"),
+        ("{'descr': '|b1', 'fortran_order': False, 'shape': (1, 1, 0x1" + 4000 * "0" + ")}", "no whole number"),
+        ("{'descr': '\\d', 'fortran_order': False, 'shape': (1, 1, 1)}", "no NumPy array"),
+    ],
+    ids=["bracket", "truth", "negative", "cut", "endless", "escape"],
+)
+def test_arrays_with_wrong_headers_are_refused_in_one_line(header: str, complaint: str) -> None:
+    with pytest.raises(ConstructionError) as caught:
+        read_npy("a.npy", _npy(header))
+    assert complaint in str(caught.value)
+    assert str(caught.value).isprintable()
+
+
+def test_arrays_may_be_kept_by_columns() -> None:
+    content = io.BytesIO()
+    np.save(content, np.asfortranarray([[[1, 0], [1, 1]]]))
+    assert read_npy("a", content.getvalue()).heights == ((1, 0), (1, 1))
 
 
 @pytest.mark.parametrize(
@@ -216,3 +272,9 @@ def test_structures_are_found_by_name_and_by_file(tmp_path) -> None:  # type: ig
         read_structure("nowhere")
     with pytest.raises(ConstructionError, match="cannot be read: No such file"):
         read_structure(str(tmp_path / "none.txt"))
+
+
+def test_a_byte_order_mark_before_level_maps_is_passed_over(tmp_path: Path) -> None:
+    drawing = tmp_path / "marked.txt"
+    drawing.write_bytes(b"\xef\xbb\xbf" + b"##\r\n.#\r\n")
+    assert read_structure(str(drawing)).heights == ((0, 1), (1, 1))

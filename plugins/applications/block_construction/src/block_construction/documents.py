@@ -26,7 +26,8 @@ def bounded_text(path: Path, most: int) -> str:
         size = path.stat().st_size
         if size > most:
             raise ConstructionError(f"{path}: {size} bytes; at most {most} are accepted")
-        return path.read_text(encoding="utf-8")
+        # Some editors begin a text with a byte-order mark.
+        return path.read_text(encoding="utf-8-sig")
     except OSError as error:
         raise ConstructionError(f"{path}: cannot be read: {error.strerror or error}") from error
     except UnicodeDecodeError as error:

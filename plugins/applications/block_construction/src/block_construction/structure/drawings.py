@@ -16,11 +16,13 @@ __all__ = ["MOST_BYTES", "read_structure"]
 
 MOST_BYTES = 32_000_000
 """A drawing may have so many bytes."""
+_MARK = "\ufeff"
+"""Some editors begin a text with it, to say that it is UTF-8."""
 
 
 def _read_text(name: str, content: bytes) -> Structure:
     try:
-        return read_level_maps(name, content.decode("utf-8"))
+        return read_level_maps(name, content.decode("utf-8").lstrip(_MARK))
     except UnicodeDecodeError as error:
         raise ConstructionError(f"{name}: byte {error.start} is not UTF-8; level maps are text") from error
 
