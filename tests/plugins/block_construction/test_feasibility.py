@@ -155,6 +155,29 @@ def _filled(side: int) -> List[Tuple[int, int, int, int]]:
 
 
 @pytest.mark.parametrize("method", sorted(METHODS))
+def test_no_method_places_a_block_in_the_way_of_another_of_its_group(method: str) -> None:
+    """Of two blocks side by side the inner one is placed from the left, past where the outer one will lie."""
+    asked = problem([[1, 1, 0], [1, 1, 1]], [(1, 1, 1, -2), (2, 1, 1, -2), (3, 2, 1, 1)])
+    assert [approach.side for approach in asked.approaches] == [LEFT, LEFT, ABOVE]
+    assert asked.before == {1: {2}, 2: set(), 3: set()}
+    planned = plan_build(method, asked, settings={"runs": 1, "iterations": 10} if method == "pla" else {})
+    assert list(placement_faults(planned.plan)) == []
+
+
+@pytest.mark.parametrize("method", sorted(METHODS))
+def test_blocks_in_each_others_way_are_refused_by_every_method(method: str) -> None:
+    """Two rows of a square of two: each is placed past where the other will lie."""
+    asked = problem([[1, 1], [1, 1]], [(1, 1, 1, 2), (1, 2, 1, 2)])
+    across = asked.approaches
+    asked.approaches = (across[1]._replace(side=ABOVE), across[0]._replace(side=BELOW))
+    with pytest.raises(ConstructionError) as caught:
+        plan_build(method, asked)
+    assert str(caught.value) == (
+        "corridor_blocked: block 1 at x 1, y 1, level 1 of small: would have to come after 2, and they after it"
+    )
+
+
+@pytest.mark.parametrize("method", sorted(METHODS))
 def test_every_methods_plan_can_be_carried_out(method: str) -> None:
     asked = problem([[2, 2, 2], [1, 0, 1], [1, 1, 1]], [*RING_BLOCKS, (1, 1, 2, 3)])
     planned = plan_build(method, asked, settings={"iterations": 10} if method == "pla" else {})

@@ -97,6 +97,7 @@ def plan_build(
         ConstructionError: there is no plan, or none that can be carried out; names the block.
     """
     method = METHODS[name]
+    problem.order(problem.before)
     began = time.perf_counter()
     complete = {**method.defaults, **(settings or {})}
     outcome = method.plan(BuildRequest(problem, seed, complete, on_progress))
