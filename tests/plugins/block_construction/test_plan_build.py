@@ -163,6 +163,15 @@ def test_the_verb_refuses_in_one_line(
     assert (said.out, said.err.count("\n")) == ("", 1)
 
 
+def test_exact_claims_no_more_than_it_proves(diagram: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["plan-build", diagram, "--supply", "corners_all", "--method", "exact"]) == 0
+    assert (
+        capsys.readouterr()
+        .out.splitlines()[0]
+        .endswith(" m by exact, the shortest for these groups and one side a block")
+    )
+
+
 def test_supplies_of_the_package_have_four_corners() -> None:
     assert [each.stock for each in supply_named("corners").places] == [{2: None}, {1: None}, {3: None}, {3: None}]
     assert [sorted(each.stock) for each in supply_named("corners_all").places] == [[1, 2, 3]] * 4

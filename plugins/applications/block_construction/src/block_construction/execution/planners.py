@@ -42,7 +42,8 @@ class BuildOutcome(NamedTuple):
 
     Attributes:
         steps: each block once, group after group.
-        proved: whether no other plan with these groups and sides of approach is shorter.
+        proved: whether no other plan with the problem's groups, and its one side of approach for each block, is
+            shorter.
         lengths: of what was tried, in order [m]; empty where nothing was tried.
     """
 
@@ -65,7 +66,7 @@ class PlannedBuild(NamedTuple):
 
     Attributes:
         plan: checked.
-        proved: whether none is shorter.
+        proved: whether none with the problem's groups, and its one side of approach for each block, is shorter.
         lengths: of what was tried, in order [m].
         seconds: of wall time it took [s].
     """
@@ -135,7 +136,11 @@ def _pla(request: BuildRequest) -> BuildOutcome:
 
 
 METHODS: Mapping[str, BuildMethod] = {
-    "exact": BuildMethod("the shortest plan, by a programme over subsets; up to 15 blocks a group", _exact, {}),
+    "exact": BuildMethod(
+        "the shortest for given groups and one side a block, by a programme over subsets; up to 15 blocks a group",
+        _exact,
+        {},
+    ),
     "greedy": BuildMethod(
         "always the block with the least driving", lambda request: BuildOutcome(plan_greedily(request.problem)), {}
     ),
