@@ -152,6 +152,7 @@ def test_the_verb_prints_the_plan_and_leaves_it(
             "mrta: nowhere: cannot be read: No such file or directory; accepted",
         ),
         (("--supply", "corners", "--set", "beam=x"), 3, "mrta: setting beam: 'x'; accepted is a whole number"),
+        (("--supply", "corners", "--set", "beam=-5"), 3, "mrta: setting beam: must be 1 or more (found -5)"),
     ],
 )
 def test_the_verb_refuses_in_one_line(

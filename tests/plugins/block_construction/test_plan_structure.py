@@ -67,6 +67,7 @@ def test_a_drawing_of_ones_own_is_planned(capsys: pytest.CaptureFixture[str], tm
         (("wall", "--blocks", "one"), "mrta: --blocks one: units of blocks are expected, for instance 1,2,3"),
         (("wall", "--set", "haste=1"), "mrta: setting 'haste=1': accepted are layer_seconds=..."),
         (("wall", "--set", "layer_seconds=nan"), "mrta: setting layer_seconds: 'nan'; accepted is a finite number"),
+        (("wall", "--set", "layer_seconds=-1"), "mrta: setting layer_seconds: must be 0 or more (found -1.0)"),
     ],
 )
 def test_what_cannot_be_planned_is_told_in_one_line(

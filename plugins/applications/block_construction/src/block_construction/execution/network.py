@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 __all__ = ["LearnedPlan", "Learning", "learn_plan", "open_share"]
 
+_MOST_MEMORY, _MOST_ITERATIONS, _MOST_POWER = 100_000, 10_000_000, 5
+
 
 @dataclass(frozen=True)
 class Learning:
@@ -51,9 +53,10 @@ class Learning:
     noise: float = 0.1
 
     def __post_init__(self) -> None:
-        wrong = next((name for name in ("memory", "iterations", "power") if getattr(self, name) < 1), None)
-        if wrong is not None:
-            raise ConstructionError(f"setting {wrong}: must be 1 or more (found {getattr(self, wrong)})")
+        for name, most in (("memory", _MOST_MEMORY), ("iterations", _MOST_ITERATIONS), ("power", _MOST_POWER)):
+            value = getattr(self, name)
+            if not 1 <= value <= most:
+                raise ConstructionError(f"setting {name}: must be 1 to {most} (found {value})")
         for name in ("rate", "stiffness", "bound", "noise"):
             if not getattr(self, name) >= 0.0:
                 raise ConstructionError(f"setting {name}: must be 0 or more (found {getattr(self, name)})")

@@ -113,7 +113,9 @@ def _exact(request: BuildRequest) -> BuildOutcome:
 
 
 def _local(request: BuildRequest) -> BuildOutcome:
-    beam = max(1, request.settings["beam"])
+    beam = request.settings["beam"]
+    if beam < 1:
+        raise ConstructionError(f"setting beam: must be 1 or more (found {beam})")
     return BuildOutcome(plan_locally(request.problem, beam=beam, on_progress=request.on_progress))
 
 
