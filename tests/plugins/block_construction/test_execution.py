@@ -254,8 +254,8 @@ def test_methods_do_not_take_more_than_there_is() -> None:
         plan_exactly(asked)
 
 
-def test_the_longest_side_of_a_grid_cell_never_changes_what_a_plan_costs() -> None:
-    """A structure mirrored with its places and its start has a plan as long."""
+def test_a_mirrored_structure_has_a_plan_as_long() -> None:
+    """Its places and the start are mirrored with it."""
     places = [place(1, 0.2, 0.2, {2: None}), place(2, 2.0, 2.0, {2: None})]
     mirrored = [place(1, 2.0, 0.2, {2: None}), place(2, 0.2, 2.0, {2: None})]
     one = problem([[1, 1, 1], [0, 0, 1]], [(1, 1, 1, 2), (3, 1, 1, -2)], places)
