@@ -10,6 +10,7 @@ from block_construction.diagram.block_set import block_lengths, body_size
 from block_construction.diagram.codes import FAULTS
 from block_construction.diagram.cost import connection_faults, diagram_cost
 from block_construction.diagram.diagram import assembly_diagram
+from block_construction.diagram.planning import read_settings
 from block_construction.diagram.table import diagram_csv, diagram_document, read_diagram
 from block_construction.errors import ConstructionError
 from block_construction.structure.library import library_structure
@@ -169,3 +170,13 @@ def test_every_pair_of_codes_that_is_no_fault_is_good() -> None:
     assert (2, 3) in good
     assert (2, 5) in good
     assert (1, 4) in good
+
+
+def test_settings_of_yes_and_no_are_read_as_such() -> None:
+    assert [read_settings({"swift": True}, [f"swift={word}"]) for word in ("yes", "no")] == [
+        {"swift": True},
+        {"swift": False},
+    ]
+    with pytest.raises(ConstructionError) as caught:
+        read_settings({"swift": True}, ["swift=maybe"])
+    assert str(caught.value) == "setting swift: 'maybe'; accepted is yes or no"

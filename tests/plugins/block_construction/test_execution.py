@@ -18,7 +18,7 @@ from block_construction.execution.local_search import plan_locally
 from block_construction.execution.order import build_groups
 from block_construction.execution.problem import BuildProblem, Step
 from block_construction.execution.subset_programme import plan_exactly
-from block_construction.execution.supply import corner_places, stand_point
+from block_construction.execution.supply import SupplyPlace, corner_places, stand_point
 from block_construction.execution.ways import Ground, Ways
 from block_construction.structure.library import library_structure
 from hypothesis import given
@@ -58,10 +58,19 @@ def test_arenas_that_make_no_sense_are_refused(values: object, message: str) -> 
     assert str(caught.value).startswith(message)
 
 
-def test_robots_fetch_30_cm_toward_the_middle() -> None:
-    """Along the diagonal that is 0.3 m / sqrt 2 in both directions."""
+def test_robots_fetch_from_30_cm_before_a_place_by_its_heading() -> None:
+    """Out from the middle, along the diagonal, that is 0.3 m / sqrt 2 in both directions."""
     assert stand_point(ARENA, place(1, 0.2, 0.2, {1: None})) == pytest.approx((0.4121, 0.4121), abs=1e-4)
     assert stand_point(ARENA, place(1, 1.1, 2.0, {1: None})) == pytest.approx((1.1, 1.7))
+    assert stand_point(ARENA, SupplyPlace(1, 0.6, 0.2, 0.0, {1: None})) == pytest.approx((0.3, 0.2))
+
+
+def test_a_place_whose_heading_puts_the_robot_into_a_wall_is_refused() -> None:
+    with pytest.raises(ConstructionError) as caught:
+        problem(RING, RING_BLOCKS, [SupplyPlace(1, 0.2, 0.2, 0.0, {2: None})])
+    assert str(caught.value) == (
+        "supply place 1 at (0.2, 0.2) m: a robot would fetch from (-0.1, 0.2) m, nearer than 0.18 m to a wall"
+    )
 
 
 def test_corner_places_face_outward() -> None:
@@ -245,8 +254,8 @@ def test_methods_do_not_take_more_than_there_is() -> None:
         plan_exactly(asked)
 
 
-def test_the_longest_side_of_a_grid_cell_never_changes_what_a_plan_costs() -> None:
-    """A structure mirrored with its places and its start has a plan as long."""
+def test_a_mirrored_structure_has_a_plan_as_long() -> None:
+    """Its places and the start are mirrored with it."""
     places = [place(1, 0.2, 0.2, {2: None}), place(2, 2.0, 2.0, {2: None})]
     mirrored = [place(1, 2.0, 0.2, {2: None}), place(2, 0.2, 2.0, {2: None})]
     one = problem([[1, 1, 1], [0, 0, 1]], [(1, 1, 1, 2), (3, 1, 1, -2)], places)

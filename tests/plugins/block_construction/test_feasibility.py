@@ -6,14 +6,17 @@ from dataclasses import replace
 from typing import Dict, List, Optional, Sequence, Tuple
 
 import pytest
+from block_construction.diagram.diagram import assembly_diagram
 from block_construction.errors import ConstructionError
 from block_construction.execution.approach import SIDES, Side
+from block_construction.execution.arena import Arena
 from block_construction.execution.feasibility import FaultKind, check_plan, placement_faults
 from block_construction.execution.plan import BuildPlan, PlannedStep
 from block_construction.execution.planners import METHODS, plan_build
 from block_construction.execution.problem import BuildProblem
 from block_construction.structure.layers import layer_of
 
+from rqt_mrta_py.hooks import BlockPlacement, Structure
 from tests.plugins.block_construction.builds import RING, RING_BLOCKS, place, problem
 
 pytest.importorskip("scipy", reason="SciPy finds ways")
@@ -121,8 +124,8 @@ def test_a_place_with_other_blocks_is_named_by_what_would_go_wrong() -> None:
     ]
 
 
-def test_blocks_that_shut_the_robot_out_leave_no_path() -> None:
-    """A place behind a ring cannot be: one inside of it is refused, so the ring is closed around the slot instead."""
+def test_a_ring_close_around_a_slot_leaves_the_robot_no_room() -> None:
+    """Nine cells a side: from 0.30 m off the middle, the ring is nearer than the robot's 0.18 m."""
     side = 9
     edge = (0, side - 1)
     heights = [[int(x in edge or y in edge or x == y == side // 2) for x in range(side)] for y in range(side)]
@@ -136,6 +139,24 @@ def test_blocks_that_shut_the_robot_out_leave_no_path() -> None:
     last = [(step.place, step.block, step.side) for step in plan_build("greedy", asked).plan.steps]
     found = faults(asked, [*last[1:], last[0]])
     assert [each[:1] + each[2:] for each in found] == [(FaultKind.CORRIDOR_BLOCKED, inner)]
+
+
+def test_a_court_that_is_shut_leaves_no_path() -> None:
+    """The court is 1.04 m wide: there is room to stand 0.30 m off its middle, but no way in once the ring is whole."""
+    side = range(1, 16)
+    ring = [(x, y, 1, 1) for y in side for x in side if {x, y} & {1, 15}]
+    cells = [*ring, (8, 8, 1, 1)]
+    heights = tuple(tuple(int((x, y, 1, 1) in cells) for x in side) for y in side)
+    diagram = assembly_diagram(Structure("court", heights), (1,), [BlockPlacement(*each) for each in cells])
+    asked = BuildProblem(diagram, [place(1, 0.2, 0.2, {1: None})], Arena(side=3.0))
+    inner = next(block.number for block in diagram.blocks if block.layer > 1)
+    outer = [block.number for block in diagram.blocks if block.number != inner]
+    plan = plan_of(asked, [(1, number, asked.approaches[number - 1].side) for number in (*outer, inner)])
+    (fault,) = placement_faults(plan)
+    assert fault[:3] == (FaultKind.NO_PATH, 57, inner)
+    assert fault.text.endswith("there is no way to it from supply place 1")
+    first = plan_of(asked, [(1, number, asked.approaches[number - 1].side) for number in (inner, *outer)])
+    assert list(placement_faults(first)) == []
 
 
 def test_level_first_takes_another_heading_or_refuses_by_name() -> None:
@@ -152,6 +173,29 @@ def _filled(side: int) -> List[Tuple[int, int, int, int]]:
     """Cover a square by single blocks, with one more in its middle on top."""
     blocks = [(x, y, 1, 1) for y in range(1, side + 1) for x in range(1, side + 1)]
     return [*blocks, (side // 2 + 1, side // 2 + 1, 2, 1)]
+
+
+@pytest.mark.parametrize("method", sorted(METHODS))
+def test_no_method_places_a_block_in_the_way_of_another_of_its_group(method: str) -> None:
+    """Of two blocks side by side the inner one is placed from the left, past where the outer one will lie."""
+    asked = problem([[1, 1, 0], [1, 1, 1]], [(1, 1, 1, -2), (2, 1, 1, -2), (3, 2, 1, 1)])
+    assert [approach.side for approach in asked.approaches] == [LEFT, LEFT, ABOVE]
+    assert asked.before == {1: {2}, 2: set(), 3: set()}
+    planned = plan_build(method, asked, settings={"runs": 1, "iterations": 10} if method == "pla" else {})
+    assert list(placement_faults(planned.plan)) == []
+
+
+@pytest.mark.parametrize("method", sorted(METHODS))
+def test_blocks_in_each_others_way_are_refused_by_every_method(method: str) -> None:
+    """Two rows of a square of two: each is placed past where the other will lie."""
+    asked = problem([[1, 1], [1, 1]], [(1, 1, 1, 2), (1, 2, 1, 2)])
+    across = asked.approaches
+    asked.approaches = (across[1]._replace(side=ABOVE), across[0]._replace(side=BELOW))
+    with pytest.raises(ConstructionError) as caught:
+        plan_build(method, asked)
+    assert str(caught.value) == (
+        "corridor_blocked: block 1 at x 1, y 1, level 1 of small: would have to come after 2, and they after it"
+    )
 
 
 @pytest.mark.parametrize("method", sorted(METHODS))

@@ -233,6 +233,7 @@ def files(folder: Path) -> Dict[str, str]:
         "few.yaml": "places: [{x: 0.2, y: 0.2, blocks: {3: 1, 2: 9, 1: 9}}]\n",
         "inside.yaml": "places: [{x: 1.1, y: 1.1, blocks: [1, 2, 3]}]\n",
         "backwards.yaml": "places: [{x: 0.2, y: 0.2, yaw: 0.785, blocks: [1, 2, 3]}]\n",
+        "sideways.yaml": "places: [{x: 0.2, y: 0.2, yaw: 3.142, blocks: [1, 2, 3]}]\n",
     }
     for name, text in texts.items():
         (folder / name).write_text(text)
@@ -255,7 +256,12 @@ WRONG = {
     "no room": (
         3,
         ["supply=backwards.yaml"],
-        "supply place 1: a robot fetches blocks of 1 units from (-0.05",
+        "supply place 1 at (0.2, 0.2) m: a robot would fetch from (-0.189, -0.189) m, nearer than 0.18 m to a wall",
+    ),
+    "no room for the longest": (
+        3,
+        ["supply=sideways.yaml"],
+        "supply place 1: a robot fetches blocks of 3 units from (0.75, 0.0702) m, nearer than 0.18 m to a wall",
     ),
     "no supply": (3, ["supply=none.yaml"], "none.yaml: cannot be read: No such file or directory; accepted are"),
     "no diagram": (3, ["diagram=none.json"], "none.json: cannot be read: No such file or directory"),

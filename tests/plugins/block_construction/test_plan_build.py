@@ -152,6 +152,7 @@ def test_the_verb_prints_the_plan_and_leaves_it(
             "mrta: nowhere: cannot be read: No such file or directory; accepted",
         ),
         (("--supply", "corners", "--set", "beam=x"), 3, "mrta: setting beam: 'x'; accepted is a whole number"),
+        (("--supply", "corners", "--set", "beam=-5"), 3, "mrta: setting beam: must be 1 or more (found -5)"),
     ],
 )
 def test_the_verb_refuses_in_one_line(
@@ -161,6 +162,15 @@ def test_the_verb_refuses_in_one_line(
     said = capsys.readouterr()
     assert said.err.startswith(message)
     assert (said.out, said.err.count("\n")) == ("", 1)
+
+
+def test_exact_claims_no_more_than_it_proves(diagram: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["plan-build", diagram, "--supply", "corners_all", "--method", "exact"]) == 0
+    assert (
+        capsys.readouterr()
+        .out.splitlines()[0]
+        .endswith(" m by exact, the shortest for these groups and one side a block")
+    )
 
 
 def test_supplies_of_the_package_have_four_corners() -> None:

@@ -77,7 +77,9 @@ def test_places_that_have_no_more_blocks_are_left_out() -> None:
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
-        ({"memory": 0}, "setting memory: must be 1 or more (found 0)"),
+        ({"memory": 0}, "setting memory: must be 1 to 100000 (found 0)"),
+        ({"iterations": 10_000_001}, "setting iterations: must be 1 to 10000000 (found 10000001)"),
+        ({"power": 6}, "setting power: must be 1 to 5 (found 6)"),
         ({"runs": 0}, "setting runs: must be 1 or more (found 0)"),
         ({"rate": -0.1}, "setting rate: must be 0 or more (found -0.1)"),
     ],

@@ -46,6 +46,8 @@ def test_the_diagram_that_is_left_is_the_one_that_is_told(capsys: pytest.Capture
     diagram = read_diagram("diagram.json", (tmp_path / "out/diagram.json").read_text(encoding="utf-8"))
     assert (diagram.structure.name, diagram.cost, diagram.counts) == ("wall", 6, {1: 1, 2: 2, 3: 3})
     assert len((tmp_path / "out/diagram.csv").read_text(encoding="utf-8").splitlines()) == 7
+    assert json.loads((tmp_path / "out/summary.json").read_text(encoding="utf-8"))["cost"] == 6
+    assert not (tmp_path / "out/plan.json").exists()
 
 
 def test_a_drawing_of_ones_own_is_planned(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
@@ -65,6 +67,7 @@ def test_a_drawing_of_ones_own_is_planned(capsys: pytest.CaptureFixture[str], tm
         (("wall", "--blocks", "one"), "mrta: --blocks one: units of blocks are expected, for instance 1,2,3"),
         (("wall", "--set", "haste=1"), "mrta: setting 'haste=1': accepted are layer_seconds=..."),
         (("wall", "--set", "layer_seconds=nan"), "mrta: setting layer_seconds: 'nan'; accepted is a finite number"),
+        (("wall", "--set", "layer_seconds=-1"), "mrta: setting layer_seconds: must be 0 or more (found -1.0)"),
     ],
 )
 def test_what_cannot_be_planned_is_told_in_one_line(

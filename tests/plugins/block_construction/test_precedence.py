@@ -12,6 +12,7 @@ from block_construction.errors import ConstructionError
 from block_construction.execution.arena import Arena
 from block_construction.execution.feasibility import placement_faults
 from block_construction.execution.plan import BuildPlan, PlannedStep
+from block_construction.execution.planners import METHODS, plan_build
 from block_construction.execution.problem import BuildProblem
 from block_construction.execution.supply import SupplyPlace
 from block_construction.mission.precedence import precedence
@@ -165,3 +166,18 @@ def test_every_order_that_respects_it_can_be_carried_out(asked: BuildProblem, se
     )
     plan = BuildPlan("any", asked.diagram, asked.arena, asked.places, steps)
     assert list(placement_faults(plan)) == []
+
+
+@settings(max_examples=60)
+@given(asked=builds())
+def test_every_method_plans_what_can_be_built_and_exact_the_shortest(asked: BuildProblem) -> None:
+    assume(max(map(len, asked.groups)) <= 8)
+    try:
+        precedence(asked)
+    except ConstructionError:
+        assume(condition=False)
+    few = {"pla": {"runs": 1, "iterations": 5}}
+    planned = [plan_build(method, asked, settings=few.get(method)).plan for method in sorted(METHODS)]
+    assert [list(placement_faults(plan)) for plan in planned] == [[]] * len(METHODS)
+    shortest = plan_build("exact", asked).plan.cost.total
+    assert min(plan.cost.total for plan in planned) >= shortest - 1e-9

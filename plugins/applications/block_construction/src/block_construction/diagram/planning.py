@@ -86,7 +86,7 @@ def read_settings(defaults: Mapping[str, Any], given: Sequence[str]) -> Dict[str
             )
         kind = type(defaults[key])
         try:
-            found[key] = kind(text)
+            found[key] = _yes(text) if kind is bool else kind(text)
             if kind is float and not math.isfinite(found[key]):
                 raise ValueError(text)
         except ValueError as error:
@@ -96,4 +96,10 @@ def read_settings(defaults: Mapping[str, Any], given: Sequence[str]) -> Dict[str
     return found
 
 
-_KINDS: Mapping[type, str] = {int: "a whole number", float: "a finite number", str: "a word"}
+def _yes(text: str) -> bool:
+    if text not in {"yes", "no"}:
+        raise ValueError(text)
+    return text == "yes"
+
+
+_KINDS: Mapping[type, str] = {bool: "yes or no", int: "a whole number", float: "a finite number", str: "a word"}

@@ -6,5 +6,5 @@
 * ``problem``: all of these together; ``cost``: how far a plan drives
 * ``greedy``, ``subset_programme``, ``local_search``, ``network``: methods; ``planners``: by name
 * ``plan``: what they come to; ``plan_file``: the same as files
-* ``corridor``, ``feasibility``: whether it can be carried out
+* ``corridor``, ``blocking``: what lies in the way of what; ``feasibility``: whether a plan can be carried out
 """

@@ -38,7 +38,11 @@ class FaultKind(Enum):
     """The supply place has shorter blocks, which would hold badly what comes on top (figure 35 e)."""
     SUPPLY_EMPTY = "supply_empty"
     GRIPPER_NOT_PARALLEL = "gripper_not_parallel"
-    """The magnet would not lie along the block's longer side (figure 35 b)."""
+    """With this heading at the slot, the magnet would not lie along the block's longer side.
+
+    Figure 35 b shows the same where a block is fetched; there it cannot happen, since blocks lie ready across the
+    heading of their supply place.
+    """
     UNSUPPORTED = "unsupported"
     """Not all that it lies on is placed."""
     SLOT_SURROUNDED = "slot_surrounded"

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from typing import List, Tuple
 
+from block_construction.errors import ConstructionError
 from block_construction.execution.problem import START, BuildProblem, Step
 from block_construction.execution.supply import remaining_stock
 
@@ -15,6 +17,9 @@ def plan_greedily(problem: BuildProblem) -> Tuple[Step, ...]:
 
     Args:
         problem: what is built, and where.
+
+    Raises:
+        ConstructionError: blocks that were placed close the way to all that are left of a group.
     """
     left = remaining_stock(problem.places)
     steps: List[Step] = []
@@ -25,9 +30,16 @@ def plan_greedily(problem: BuildProblem) -> Tuple[Step, ...]:
             options = [
                 problem.trip(covered, last, Step(int(place) + 1, block))
                 for block in open_blocks
+                if problem.before[block].isdisjoint(open_blocks)
                 for place in problem.holding(block)
                 if left.get((int(place) + 1, problem.block(block).units), 1) > 0
             ]
+            options = [trip for trip in options if math.isfinite(trip.length)]
+            if not options:
+                raise ConstructionError(
+                    f"no_path: {problem.diagram.structure.name}: greedy closes the way to block {open_blocks[0]}; take "
+                    "the method exact or local"
+                )
             step = min(options, key=lambda trip: (trip.length, trip.step.block, trip.step.place)).step
             key = (step.place, problem.block(step.block).units)
             if key in left:

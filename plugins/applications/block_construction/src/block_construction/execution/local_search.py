@@ -72,6 +72,30 @@ def plan_locally(
     Raises:
         ConstructionError: no plan was found.
     """
+    found: List[List[Step]] = []
+    why: List[ConstructionError] = []
+    finders: Tuple[Callable[[], List[Step]], ...] = (
+        lambda: _by_beam(problem, beam, on_progress),
+        lambda: list(plan_greedily(problem)),
+    )
+    for find in finders:
+        try:
+            found.append(find())
+        except ConstructionError as error:
+            why.append(error)
+    if not found:
+        raise why[0]
+    polished = [_polished(problem, steps) for steps in found]
+    on_progress(1.0)
+    return min(polished, key=lambda steps: (plan_cost(problem, steps).total, steps))
+
+
+def _by_beam(problem: BuildProblem, beam: int, on_progress: Callable[[float], None]) -> List[Step]:
+    """Keep the best states after each block.
+
+    Raises:
+        ConstructionError: none is left.
+    """
     states = [_State(0.0, 0.0, 0, 0, tuple(sorted(remaining_stock(problem.places).items())), Step(0, START), None)]
     blocks = len(problem.diagram.blocks)
     done = 0
@@ -90,10 +114,7 @@ def plan_locally(
                 )
             done += 1
             on_progress(0.9 * done / blocks)
-    found = [_steps(min(states, key=lambda each: (each.length, each.step))), list(plan_greedily(problem))]
-    polished = [_polished(problem, steps) for steps in found]
-    on_progress(1.0)
-    return min(polished, key=lambda steps: (plan_cost(problem, steps).total, steps))
+    return _steps(min(states, key=lambda each: (each.length, each.step)))
 
 
 class _Bounds(NamedTuple):
@@ -118,10 +139,11 @@ class _Bounds(NamedTuple):
 def _extended(problem: BuildProblem, states: Sequence[_State], group: Group, bounds: _Bounds) -> List[_State]:
     """Place one more block in every possible way, and sort what comes out by its estimate."""
     best: Dict[Tuple[int, int, _Stock], _State] = {}
+    needs = [sum(1 << group.index(other) for other in problem.before[block]) for block in group]
     for state in states:
         lengths, last, stock = problem.ways.lengths(state.covered), state.step.block, dict(state.stock)
         for index, block in enumerate(group):
-            if state.placed >> index & 1:
+            if state.placed >> index & 1 or needs[index] & ~state.placed:
                 continue
             for step, length in _options(problem, lengths[:, last] + lengths[:, block], block, stock):
                 total = state.length + length
@@ -173,11 +195,20 @@ def _polished(problem: BuildProblem, steps: List[Step]) -> Tuple[Step, ...]:
                     low, high = min(source, target), max(source, target) + 1
                     moved = steps[:]
                     moved.insert(target, moved.pop(source))
+                    if not _is_open(problem, moved[low:high]):
+                        continue
                     old = _window(problem, steps, low, high, choose=False)
                     new = _window(problem, moved, low, high, choose=not limited)
                     if sum(new[1]) < sum(old[1]) - _LEAST_GAIN:
                         steps, improved = [*moved[:low], *new[0], *moved[low + len(new[0]) :]], True
     return tuple(steps)
+
+
+def _is_open(problem: BuildProblem, steps: Sequence[Step]) -> bool:
+    """Tell whether no step of a group places what is in the way of a later one."""
+    return all(
+        step.block not in problem.before[earlier.block] for index, step in enumerate(steps) for earlier in steps[:index]
+    )
 
 
 def _window(

@@ -2,8 +2,8 @@
 
 For each step of a plan there is an assembly automaton, whose actions are the blocks of the group that the step belongs
 to, and for each length of blocks in that group a manipulation automaton, whose actions are the places that have such
-blocks. A run draws a block, without those placed already (5.8), then a place for it, step by step. Automata that acted
-learn from what the whole plan costs, each by what it remembers of its own runs.
+blocks. A run draws a block, without those placed already (5.8) or in the way of others, then a place for it, step by
+step. Automata that acted learn from what the whole plan costs, each by what it remembers of its own runs.
 """
 
 from __future__ import annotations
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = ["LearnedPlan", "Learning", "learn_plan", "open_share"]
+
+_MOST_MEMORY, _MOST_ITERATIONS, _MOST_POWER = 100_000, 10_000_000, 5
 
 
 @dataclass(frozen=True)
@@ -51,9 +53,10 @@ class Learning:
     noise: float = 0.1
 
     def __post_init__(self) -> None:
-        wrong = next((name for name in ("memory", "iterations", "power") if getattr(self, name) < 1), None)
-        if wrong is not None:
-            raise ConstructionError(f"setting {wrong}: must be 1 or more (found {getattr(self, wrong)})")
+        for name, most in (("memory", _MOST_MEMORY), ("iterations", _MOST_ITERATIONS), ("power", _MOST_POWER)):
+            value = getattr(self, name)
+            if not 1 <= value <= most:
+                raise ConstructionError(f"setting {name}: must be 1 to {most} (found {value})")
         for name in ("rate", "stiffness", "bound", "noise"):
             if not getattr(self, name) >= 0.0:
                 raise ConstructionError(f"setting {name}: must be 0 or more (found {getattr(self, name)})")
@@ -119,8 +122,9 @@ def learn_plan(
 
     Dantas (2017), algorithms 4 to 6.
     Differs from the paper: as printed, a way to a supply place begins at the supply place before; here it begins where
-    the robot stands, as the text says. The shortest plan is kept, which the printed algorithm never stores. Places
-    that have no such block any more are left out; the source has as many as are needed.
+    the robot stands, as the text says. The shortest plan is kept, which the printed algorithm never stores. Blocks that
+    would be in the way of others come after those, which the source does not ask. Places that have no such block any
+    more are left out; the source has as many as are needed.
     """
     network = _network(problem, learning.memory)
     parameters = np.array([1.0 / len(each.actions) for each in _automata(network) for _ in each.actions])
@@ -192,7 +196,11 @@ def _drawn(
     choices: List[_Choice] = []
     covered, last, length = 0, START, 0.0
     for number, automaton in enumerate(network.blocks):
-        open_blocks = [index for index, block in enumerate(automaton.actions) if not placed[block]]
+        open_blocks = [
+            index
+            for index, block in enumerate(automaton.actions)
+            if not placed[block] and all(placed[other] for other in problem.before[block])
+        ]
         choice = _draw(automaton, open_blocks, probabilities, chances[2 * number])
         block = automaton.actions[choice.position - automaton.first]
         units = problem.block(block).units

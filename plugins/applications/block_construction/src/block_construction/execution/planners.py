@@ -42,7 +42,8 @@ class BuildOutcome(NamedTuple):
 
     Attributes:
         steps: each block once, group after group.
-        proved: whether no other plan with these groups and sides of approach is shorter.
+        proved: whether no other plan with the problem's groups, and its one side of approach for each block, is
+            shorter.
         lengths: of what was tried, in order [m]; empty where nothing was tried.
     """
 
@@ -65,7 +66,7 @@ class PlannedBuild(NamedTuple):
 
     Attributes:
         plan: checked.
-        proved: whether none is shorter.
+        proved: whether none with the problem's groups, and its one side of approach for each block, is shorter.
         lengths: of what was tried, in order [m].
         seconds: of wall time it took [s].
     """
@@ -97,6 +98,7 @@ def plan_build(
         ConstructionError: there is no plan, or none that can be carried out; names the block.
     """
     method = METHODS[name]
+    problem.order(problem.before)
     began = time.perf_counter()
     complete = {**method.defaults, **(settings or {})}
     outcome = method.plan(BuildRequest(problem, seed, complete, on_progress))
@@ -111,7 +113,9 @@ def _exact(request: BuildRequest) -> BuildOutcome:
 
 
 def _local(request: BuildRequest) -> BuildOutcome:
-    beam = max(1, request.settings["beam"])
+    beam = request.settings["beam"]
+    if beam < 1:
+        raise ConstructionError(f"setting beam: must be 1 or more (found {beam})")
     return BuildOutcome(plan_locally(request.problem, beam=beam, on_progress=request.on_progress))
 
 
@@ -134,7 +138,11 @@ def _pla(request: BuildRequest) -> BuildOutcome:
 
 
 METHODS: Mapping[str, BuildMethod] = {
-    "exact": BuildMethod("the shortest plan, by a programme over subsets; up to 15 blocks a group", _exact, {}),
+    "exact": BuildMethod(
+        "the shortest for given groups and one side a block, by a programme over subsets; up to 15 blocks a group",
+        _exact,
+        {},
+    ),
     "greedy": BuildMethod(
         "always the block with the least driving", lambda request: BuildOutcome(plan_greedily(request.problem)), {}
     ),

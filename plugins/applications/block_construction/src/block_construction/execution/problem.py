@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple
+from functools import cached_property
+from typing import TYPE_CHECKING, AbstractSet, Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from block_construction.diagram.diagram import AssemblyDiagram, PlacedBlock
 from block_construction.errors import ConstructionError
 from block_construction.execution.approach import Approach, Side, approach_from, sides_of
 from block_construction.execution.arena import Arena, Point, site_of
+from block_construction.execution.blocking import Before, in_corridors, on_stands, ordered
 from block_construction.execution.corridor import Tops, neighbour, obstacle, put
 from block_construction.execution.order import build_groups
 from block_construction.execution.supply import SupplyPlace, check_supply, stand_point
@@ -111,6 +113,43 @@ class BuildProblem:
             covered |= self.covers[number - 1]
         return covered
 
+    @cached_property
+    def before(self) -> Mapping[int, FrozenSet[int]]:
+        """Blocks of its own group that must be placed before each block, lest it be in their way; by number."""
+        found: Before = {block.number: set() for block in self.diagram.blocks}
+        for group in self.groups:
+            blocks = [self.block(number) for number in group]
+            approaches = [self.approaches[number - 1] for number in group]
+            covers = [self.covers[number - 1] for number in group]
+            for first, then in in_corridors(blocks, approaches, self.arena):
+                found[then].add(first)
+            for first, then in on_stands(blocks, approaches, covers, self.ways.ground):
+                found[then].add(first)
+        return {number: frozenset(earlier) for number, earlier in found.items()}
+
+    def order(self, before: Mapping[int, AbstractSet[int]]) -> Tuple[int, ...]:
+        """Give an order of all blocks in which each comes after what must be placed before it.
+
+        Args:
+            before: what must, by number.
+
+        Raises:
+            ConstructionError: there is none; names a block.
+        """
+        order = ordered(before)
+        left = {number: set(before[number]).difference(order) for number in before if number not in order}
+        if not left:
+            return order
+        walked = [min(left)]
+        while walked.count(walked[-1]) == 1:
+            walked.append(min(left[walked[-1]]))
+        circle = walked[walked.index(walked[-1]) : -1]
+        number = min(circle)
+        others = ", ".join(map(str, sorted(left[number].intersection(circle))))
+        raise ConstructionError(
+            f"corridor_blocked: {self._named(number)}: would have to come after {others}, and they after it"
+        )
+
     def trip(self, covered: int, last: int, step: Step) -> Trip:
         """Measure the ways of one step.
 
@@ -157,8 +196,7 @@ class BuildProblem:
             has_room = self.arena.has_room(point) and free[ground.cell_of(point)]
             if has_room and obstacle(block, side, tops, self.arena) is None:
                 return side
-        cell = block.placement
-        where = f"block {block.number} at x {cell.x}, y {cell.y}, level {cell.z} of {self.diagram.structure.name}"
+        where = self._named(block.number)
         if all(neighbour(block, side, tops) is not None for side in sides):
             raise ConstructionError(
                 f"slot_surrounded: {where}: once the groups before its own are built, blocks lie on every side from "
@@ -168,3 +206,7 @@ class BuildProblem:
             f"corridor_blocked: {where}: once the groups before its own are built, a robot can come from no side "
             "without touching them"
         )
+
+    def _named(self, number: int) -> str:
+        cell = self.block(number).placement
+        return f"block {number} at x {cell.x}, y {cell.y}, level {cell.z} of {self.diagram.structure.name}"

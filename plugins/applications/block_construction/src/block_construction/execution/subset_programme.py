@@ -5,8 +5,9 @@ with the same block, only the shortest matters for what follows:
 
     least(S + b, b) = min over a in S of least(S, a) + trip(S, a, b)
 
-where trip(S, a, b) is the shortest way from the pose of a, by a place that has b's length, to the pose of b. Groups
-follow one another, each entered from every block that the one before may have ended with.
+where trip(S, a, b) is the shortest way from the pose of a, by a place that has b's length, to the pose of b; there is
+none while a block that b would be in the way of is not in S. Groups follow one another, each entered from every block
+that the one before may have ended with.
 """
 
 from __future__ import annotations
@@ -103,19 +104,24 @@ def _solve_group(problem: BuildProblem, covered: int, group: Group, entries: Dic
     before = np.zeros((1 << count, count), dtype=np.int64)
     starts = np.array(sorted(entries), dtype=np.int64)
     reached = np.array([entries[int(start)] for start in starts])
+    needs = [sum(1 << group.index(other) for other in problem.before[block]) for block in group]
     for index, block in enumerate(group):
+        if needs[index]:
+            continue
         both = reached + _trips(problem, covered, starts, block)
         best = int(np.argmin(both))
         least[1 << index, index] = both[best]
         before[1 << index, index] = starts[best]
     masks = [problem.covers[block - 1] for block in group]
     for subset in range(1, (1 << count) - 1):
+        if not np.isfinite(least[subset]).any():
+            continue
         now = covered
         for index in range(count):
             if subset >> index & 1:
                 now |= masks[index]
         for index, block in enumerate(group):
-            if subset >> index & 1:
+            if subset >> index & 1 or needs[index] & ~subset:
                 continue
             both = least[subset] + _trips(problem, now, members, block)
             best = int(np.argmin(both))

@@ -10,7 +10,7 @@ from block_construction.diagram.diagram import AssemblyDiagram
 from block_construction.errors import ConstructionError
 from block_construction.execution.arena import Arena, Point, Site
 
-__all__ = ["SupplyPlace", "check_supply", "corner_places", "remaining_stock", "stand_point"]
+__all__ = ["SupplyPlace", "check_supply", "corner_places", "remaining_stock", "stand_before", "stand_point"]
 
 
 @dataclass(frozen=True)
@@ -37,12 +37,19 @@ class SupplyPlace:
 
 
 def stand_point(arena: Arena, place: SupplyPlace) -> Point:
-    """Give where the robot stands to fetch: off the place, toward the arena's middle [m]."""
-    x, y = arena.middle
-    away = math.hypot(x - place.x, y - place.y)
-    if away == 0.0:
-        return place.point
-    return Point(place.x + (x - place.x) * arena.stand_off / away, place.y + (y - place.y) * arena.stand_off / away)
+    """Give where the robot stands to fetch from the middle of a place [m]."""
+    return stand_before(place.point, place.yaw, arena.stand_off)
+
+
+def stand_before(point: Point, heading: float, stand_off: float) -> Point:
+    """Give where a robot of some heading stands before a point.
+
+    Args:
+        point: which [m].
+        heading: of the robot [rad].
+        stand_off: from the robot's centre to the point [m].
+    """
+    return Point(point.x - stand_off * math.cos(heading), point.y - stand_off * math.sin(heading))
 
 
 def corner_places(arena: Arena, units: Sequence[Iterable[int]]) -> Tuple[SupplyPlace, ...]:

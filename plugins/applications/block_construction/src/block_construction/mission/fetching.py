@@ -9,7 +9,7 @@ from block_construction.diagram.block_set import body_size
 from block_construction.errors import ConstructionError
 from block_construction.execution.arena import Point
 from block_construction.execution.problem import BuildProblem
-from block_construction.execution.supply import SupplyPlace
+from block_construction.execution.supply import SupplyPlace, stand_before
 
 __all__ = ["Ready", "check_stands", "ready_blocks"]
 
@@ -47,7 +47,7 @@ class Ready(NamedTuple):
 
     def stand(self, stand_off: float) -> Point:
         """Give where a robot stands before it, so far from its middle [m]."""
-        return Point(self.x - stand_off * math.cos(self.heading), self.y - stand_off * math.sin(self.heading))
+        return stand_before(Point(self.x, self.y), self.heading, stand_off)
 
 
 def ready_blocks(problem: BuildProblem) -> Tuple[Ready, ...]:

@@ -81,7 +81,7 @@ def _document(planned: PlannedBuild) -> Dict[str, Any]:
 
 def _text(planned: PlannedBuild) -> str:
     plan, cost = planned.plan, planned.plan.cost
-    end = ", the shortest there is" if planned.proved else ""
+    end = ", the shortest for these groups and one side a block" if planned.proved else ""
     return (
         f"{plan.diagram.structure.name}: {cost.total:.2f} m by {plan.method}{end}\n"
         f"fetching {cost.fetching:.2f} m, placing {cost.placing:.2f} m, {len(plan.steps)} blocks, "

@@ -66,7 +66,7 @@ def _main(options: Namespace, tools: VerbTools) -> int:
     if folder is not None:
         folder.write("diagram.json", json.dumps(diagram_document(planned.diagram), indent=1) + "\n")
         folder.write("diagram.csv", diagram_csv(planned.diagram))
-        folder.write("plan.json", json.dumps(document, indent=2) + "\n")
+        folder.write("summary.json", json.dumps(document, indent=2) + "\n")
         folder.draw(level_drawing(planned.diagram))
         folder.draw(isometric_drawing(planned.diagram))
         if planned.costs:
