@@ -184,6 +184,7 @@ def test_builds_under_noise_stand_whole_only_with_every_block():
     assert rows[0]["stand whole"] == "100 % [34, 100]"
     assert rows[3]["stand whole"] == rows[6]["stand whole"] == "0 % [0, 66]"
     assert {experiment.settings[2] for experiment in laboratory.experiments} == {"pose_hold=0.0", "pose_hold=60.0"}
+    assert {experiment.settings[3] for experiment in laboratory.experiments} == {"sight_noise=0.003"}
     assert {experiment.seed for experiment in laboratory.experiments} == {1, 2}
     for line in report.figures[0].charts[0].lines:
         assert (line.x, line.y) == (pytest.approx((0.0, 0.8, 2.0, 3.0)), (100.0, 100.0, 100.0, 0.0))

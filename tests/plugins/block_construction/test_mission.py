@@ -205,6 +205,20 @@ def test_pose_noise_is_that_of_localisers(host: Host) -> None:
     assert (lasting["uniform_noise"], lasting["uniform_hold"]) == (0.008, 60.0)
 
 
+def test_sight_noise_is_that_of_detectors(host: Host) -> None:
+    """The third sensor of every robot."""
+    exact, noisy = (scenario(made(host, sight_noise=value)) for value in ("0", "0.003"))
+    eyes = [each["robot_defaults"]["sensors"][2] for each in (exact, noisy)]
+    assert [(each["kind"], each["position_noise"]) for each in eyes] == [("detector", 0.0), ("detector", 0.003)]
+
+
+def test_bumpers_feel_at_every_tick(host: Host) -> None:
+    """Two robots that graze each other touch for less than half a second."""
+    site = scenario(made(host))
+    (bumper,) = [each for each in site["robot_defaults"]["sensors"] if each["kind"] == "bumper"]
+    assert bumper["rate"] == site["control_rate"]
+
+
 def test_diagrams_and_plans_of_the_verbs_are_built(host: Host, tmp_path: Path) -> None:
     drawing = tmp_path / "two.txt"
     drawing.write_text(TWO)
@@ -270,6 +284,7 @@ WRONG = {
     "planner": (2, ["planner=best"], "planner=best: there is no such planner; accepted are exact, greedy, local, pla"),
     "method": (2, ["method=best"], "method=best: there is no such planner; accepted are "),
     "noise": (2, ["pose_noise=nan"], "pose_noise=nan: a number from 0 to 0.5 m is expected"),
+    "sight": (2, ["sight_noise=1"], "sight_noise=1: a number from 0 to 0.5 m is expected"),
     "hold": (2, ["pose_hold=-1"], "pose_hold=-1: a number from 0 to 86400 s is expected"),
     "seed": (2, ["seed=-1"], "seed=-1: a whole number from 0 to 2^63 - 1 is expected"),
 }

@@ -43,6 +43,8 @@ class ToyBuilder:
         self.grips = True
         self._aside = 0.0
         self.sees = True
+        self.sight_noise = 0.0
+        self._chance = np.random.default_rng(7)
         self.said: List[Outgoing] = []
         self._heard: Dict[str, Heard] = {}
         setup = BehaviourSetup("robot1", MECANUM_ARM, navigator=None, random=np.random.default_rng(1), tasks=tasks)  # type: ignore[arg-type]
@@ -126,7 +128,8 @@ class ToyBuilder:
             for name, (x, y, z) in self.blocks.items():
                 if name != self.held:
                     dx, dy = x - self.pose.x, y - self.pose.y
-                    position = {"x": cos * dx + sin * dy, "y": cos * dy - sin * dx, "z": z}
+                    errors = self.sight_noise * self._chance.standard_normal(2)
+                    position = {"x": cos * dx + sin * dy + errors[0], "y": cos * dy - sin * dx + errors[1], "z": z}
                     seen.append(
                         {"id": name, "kind": f"block{self.units.get(name, 3)}", "position": position, "held": False}
                     )

@@ -6,6 +6,7 @@ import math
 from typing import Dict, Mapping, NamedTuple, Optional
 
 from block_construction.building.pose_filter import composed
+from block_construction.building.sight_filter import Place, SightFilter
 from block_construction.building.slot import BlockTask
 from rqt_mrta_py.hooks import Heard, Perception, Subscription
 from rqt_mrta_py.model import Pose
@@ -52,24 +53,28 @@ class Eyes:
 
     def __init__(self) -> None:
         self._heard: Optional[Heard] = None
+        self._filter = SightFilter()
 
-    def look(self, perception: Perception, robot: Pose) -> Optional[Mapping[str, Seen]]:
+    def look(self, perception: Perception, robot: Pose, counted: Optional[Pose]) -> Optional[Mapping[str, Seen]]:
         """Give what is seen, by the blocks' ids.
 
         Args:
             perception: of the robot.
             robot: where it is.
+            counted: newest pose that its wheels count, in a frame of their own; None if they do not.
 
         Returns:
-            All of it, as of the newest detections; None if there is nothing newer than at the last look.
+            All of it, averaged over looks as far as eyes err; None if there is nothing newer than at the last look.
         """
         heard = perception.newest(DETECTIONS.topic)
         if heard is None or heard is self._heard:
             return None
         self._heard = heard
+        looks = {each["id"]: Place(*(each["position"][axis] for axis in "xyz")) for each in heard.fields["detections"]}
+        places = self._filter.take(looks, robot, counted)
         seen: Dict[str, Seen] = {}
         for each in heard.fields["detections"]:
-            position = each["position"]
-            place = composed(robot, Pose(position["x"], position["y"]))
-            seen[each["id"]] = Seen(place.x, place.y, position["z"], each["held"], each["kind"])
+            x, y, z, _ = places[each["id"]]
+            place = composed(robot, Pose(x, y))
+            seen[each["id"]] = Seen(place.x, place.y, z, each["held"], each["kind"])
         return seen

@@ -116,7 +116,7 @@ class Performer:
 
     @property
     def word(self) -> str:
-        """What the action is called: as of its kind, but ``align`` once a position is about reached."""
+        """What the action is called, as of its kind."""
         return self.action.kind.value
 
     def step(self, felt: Felt) -> Performed:

@@ -170,7 +170,7 @@ class PlaceBlock:
             return BehaviourStep(_STILL)
         now, site, state = perception.now, self._site, self._state
         site.hear(self._board.placed(perception))
-        seen = self._eyes.look(perception, felt.pose)
+        seen = self._eyes.look(perception, felt.pose, self._counted)
         messages: List[Outgoing] = []
         if seen is not None:
             messages.extend(self._announce(number, now) for number in site.look(seen))

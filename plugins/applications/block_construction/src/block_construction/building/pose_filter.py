@@ -7,9 +7,9 @@ from typing import Optional
 
 from rqt_mrta_py.model import Pose, Twist, wrap_angle
 
-__all__ = ["PoseFilter", "Scalar", "composed", "corrected_gain", "moved", "relative"]
+__all__ = ["PER_ROOT_METRE", "PoseFilter", "Scalar", "composed", "corrected_gain", "moved", "relative"]
 
-_PER_ROOT_METRE = 0.003
+PER_ROOT_METRE = 0.003
 """How far off dead reckoning is after a metre [m]; errors are taken as if they added up like chance."""
 _TURN_PER_ROOT_METRE = 0.03
 """How far off its heading is then [rad]."""
@@ -174,8 +174,8 @@ class PoseFilter:
         self.pose = composed(pose, step)
         length = math.hypot(step.x, step.y)
         x, y, yaw = self._axes
-        x.variance += _PER_ROOT_METRE**2 * length
-        y.variance += _PER_ROOT_METRE**2 * length
+        x.variance += PER_ROOT_METRE**2 * length
+        y.variance += PER_ROOT_METRE**2 * length
         yaw.variance += _TURN_PER_ROOT_METRE**2 * length + _TURN_PER_ROOT_RADIAN**2 * abs(step.yaw)
 
     def _correct(self, fix: Pose) -> None:

@@ -44,6 +44,7 @@ def make_build(request: MissionRequest) -> MadeMission:
             expected=expected_total(drawn),
             pose_noise=settings.pose_noise,
             pose_hold=settings.pose_hold,
+            sight_noise=settings.sight_noise,
         ),
     )
 

@@ -33,7 +33,8 @@ def scenario_text(
         starts: where robots begin, one for each.
         robots: their ids.
         of: ``expected``: how long one robot is expected to build [s]; ``pose_noise``: greatest error of a robot's x and
-            y [m]; ``pose_hold``: how long one such error lasts [s].
+            y [m]; ``pose_hold``: how long one such error lasts [s]; ``sight_noise``:
+            standard deviation of where its detector sees blocks, in x and in y [m].
     """
     # Blocks may fall and be placed anew; whoever is done earlier only waits.
     duration = math.ceil((1.5 * of["expected"] + 300.0) / _MINUTE) * 60
@@ -49,7 +50,7 @@ def scenario_text(
         "robot_defaults:",
         f"  model: {MODEL}",
         "  sensors:",
-        *_sensors(of["pose_noise"], of["pose_hold"]),
+        *_sensors(of["pose_noise"], of["pose_hold"], of["sight_noise"]),
         "robots:",
         *(
             f"  - {{id: {robot}, start: {{x: {number(start.x)}, y: {number(start.y)}, yaw: {number(start.yaw)}}}}}"
@@ -68,7 +69,7 @@ def _dispenser(ready: Ready) -> str:
     )
 
 
-def _sensors(pose_noise: float, pose_hold: float) -> List[str]:
+def _sensors(pose_noise: float, pose_hold: float, sight_noise: float) -> List[str]:
     """List what every robot carries: where it is, what its wheels count (table 18), blocks near it, and collisions."""
     noise = f", uniform_noise: {number(pose_noise)}" if pose_noise else ""
     if pose_noise and pose_hold:
@@ -76,7 +77,8 @@ def _sensors(pose_noise: float, pose_hold: float) -> List[str]:
     return [
         f"    - {{kind: localiser, topic: pose, rate: 10, position_noise: 0.0, heading_noise: 0.0{noise}}}",
         "    - {kind: odometry, topic: odom, rate: 10}",
-        "    - {kind: detector, topic: detections, rate: 2, max_range: 1.0, fov: 6.283185, position_noise: 0.0, "
-        "from_above: true}",
-        "    - {kind: bumper, topic: bumper, rate: 2, bodies: false}",
+        "    - {kind: detector, topic: detections, rate: 2, max_range: 1.0, fov: 6.283185, "
+        f"position_noise: {number(sight_noise) if sight_noise else '0.0'}, from_above: true}}",
+        # A touch may be short: it is felt at every tick.
+        f"    - {{kind: bumper, topic: bumper, rate: {_CONTROL_RATE}, bodies: false}}",
     ]

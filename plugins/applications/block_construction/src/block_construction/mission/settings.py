@@ -36,6 +36,7 @@ SETTINGS = (
     MissionSetting("order", "plan (one block after the other) or free (what must lie before); default: by robots"),
     MissionSetting("pose_noise", "x and y that a robot is told are off by up to so much [m]", "0"),
     MissionSetting("pose_hold", "for so long such an error lasts [s]; 0: each pose has its own", "0"),
+    MissionSetting("sight_noise", "standard deviation of where a robot sees blocks, in x and in y [m]", "0"),
     MissionSetting("seed", "of all chance in planning", "0"),
 )
 
@@ -54,6 +55,7 @@ class BuildSettings:
         order: ``plan`` or ``free``.
         pose_noise: greatest error of a robot's x and y [m].
         pose_hold: how long one such error lasts [s]; 0: each pose has its own.
+        sight_noise: standard deviation of where a robot sees blocks, in x and in y [m].
         seed: of all chance in planning.
         given: names of those that the user has given.
     """
@@ -67,6 +69,7 @@ class BuildSettings:
     order: str
     pose_noise: float
     pose_hold: float
+    sight_noise: float
     seed: int
     given: FrozenSet[str]
 
@@ -96,6 +99,7 @@ def read_build_settings(values: Mapping[str, str], given: FrozenSet[str], robots
         order=_one_of("order", values["order"], ORDERS) or ("plan" if robots == 1 else "free"),
         pose_noise=_number("pose_noise", values["pose_noise"], _LARGEST_NOISE, "m"),
         pose_hold=_number("pose_hold", values["pose_hold"], _LONGEST_HOLD, "s"),
+        sight_noise=_number("sight_noise", values["sight_noise"], _LARGEST_NOISE, "m"),
         seed=_seed(values["seed"]),
         given=given,
     )
