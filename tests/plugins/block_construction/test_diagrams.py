@@ -169,3 +169,12 @@ def test_every_pair_of_codes_that_is_no_fault_is_good() -> None:
     assert (2, 3) in good
     assert (2, 5) in good
     assert (1, 4) in good
+
+
+@pytest.mark.parametrize("called", [None, 3, "", "two\nlines", "bell\a", "x" * 256])
+def test_a_diagram_without_a_name_that_can_be_shown_is_refused(called: object) -> None:
+    document = {**diagram_document(assembly_diagram(library_structure("wall"), (1, 2, 3), WALL)), "name": called}
+    with pytest.raises(ConstructionError) as caught:
+        read_diagram("d.json", json.dumps(document))
+    assert str(caught.value).startswith("d.json: name: must be one line of 1 to 255 printable characters (found ")
+    assert str(caught.value).isprintable()
