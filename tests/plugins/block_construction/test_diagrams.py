@@ -180,3 +180,12 @@ def test_settings_of_yes_and_no_are_read_as_such() -> None:
     with pytest.raises(ConstructionError) as caught:
         read_settings({"swift": True}, ["swift=maybe"])
     assert str(caught.value) == "setting swift: 'maybe'; accepted is yes or no"
+
+
+@pytest.mark.parametrize("called", [None, 3, "", "two\nlines", "bell\a", "x" * 256])
+def test_a_diagram_without_a_name_that_can_be_shown_is_refused(called: object) -> None:
+    document = {**diagram_document(assembly_diagram(library_structure("wall"), (1, 2, 3), WALL)), "name": called}
+    with pytest.raises(ConstructionError) as caught:
+        read_diagram("d.json", json.dumps(document))
+    assert str(caught.value).startswith("d.json: name: must be one line of 1 to 255 printable characters (found ")
+    assert str(caught.value).isprintable()

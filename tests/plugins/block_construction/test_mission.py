@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
 import os
@@ -12,6 +13,11 @@ from typing import Any, Dict, List
 
 import pytest
 import yaml
+from block_construction.execution.arena import Arena
+from block_construction.execution.plan_file import plan_document
+from block_construction.execution.planners import plan_build
+from block_construction.execution.problem import BuildProblem
+from block_construction.execution.supply import corner_places
 from block_construction.mission.limits import most_levels
 from block_construction.mission.maker import BUILDING
 from block_construction.mission.numbers import number
@@ -20,7 +26,7 @@ from block_construction.mission.published_wall import wall_diagram
 from rqt_mrta_py.app.cli.main import main
 from rqt_mrta_py.app.compose import Host, compose
 from rqt_mrta_py.app.run.choice import MissionChoice, chosen_mission
-from rqt_mrta_py.hooks import ArmModel, MadeMission, MissionRequest, PlacedRobot
+from rqt_mrta_py.hooks import ArmModel, MadeMission, MissionRequest, MrtaError, PlacedRobot
 from rqt_mrta_py.sim.body_placement import body_problems
 from rqt_mrta_py.sim.placement import placement_problems
 from rqt_mrta_py.transport import RosCodec, read_bag
@@ -246,6 +252,8 @@ def files(folder: Path) -> Dict[str, str]:
         "wide.txt": "############\n",
         "few.yaml": "places: [{x: 0.2, y: 0.2, blocks: {3: 1, 2: 9, 1: 9}}]\n",
         "inside.yaml": "places: [{x: 1.1, y: 1.1, blocks: [1, 2, 3]}]\n",
+        "thin.yaml": "{arena: {robot_radius: 0.01}, places: [{x: 0.2, y: 0.2, blocks: [1, 2, 3]}]}\n",
+        "coarse.yaml": "{arena: {cell: 0.2}, places: [{x: 0.2, y: 0.2, blocks: [1, 2, 3]}]}\n",
         "backwards.yaml": "places: [{x: 0.2, y: 0.2, yaw: 0.785, blocks: [1, 2, 3]}]\n",
         "sideways.yaml": "places: [{x: 0.2, y: 0.2, yaw: 3.142, blocks: [1, 2, 3]}]\n",
     }
@@ -277,6 +285,17 @@ WRONG = {
         ["supply=sideways.yaml"],
         "supply place 1: a robot fetches blocks of 3 units from (0.75, 0.0702) m, nearer than 0.18 m to a wall",
     ),
+    "thin": (
+        3,
+        ["supply=thin.yaml"],
+        "thin.yaml: arena: robot_radius: 0.01 m; accepted is at least that of mecanum_arm",
+    ),
+    "coarse": (
+        3,
+        ["supply=coarse.yaml"],
+        "coarse.yaml: arena: cell: 0.2 m; accepted is at most the radius of mecanum_arm",
+    ),
+    "unused planner": (2, ["planner=exact", "order=free"], "planner=exact: plans an order, and with order=free"),
     "no supply": (3, ["supply=none.yaml"], "none.yaml: cannot be read: No such file or directory; accepted are"),
     "no diagram": (3, ["diagram=none.json"], "none.json: cannot be read: No such file or directory"),
     "twice": (2, ["plan=a.json", "supply=corners"], "plan=a.json: says already what supply=corners does; give one"),
@@ -323,10 +342,49 @@ def test_an_arm_builds_as_high_as_it_carries(joint_height: float, lowest: float,
 
 @pytest.mark.parametrize(
     ("value", "text"),
-    [(0.1 + 0.2, "0.3"), (-1e-9, "0.0"), (1 / 3, "0.333333"), (5e-6, "0.000005"), (2.0, "2.0"), (-0.5, "-0.5")],
+    [
+        (0.1 + 0.2, "0.3"),
+        (-1e-9, "0.0"),
+        (1 / 3, "0.333333"),
+        (5e-6, "0.000005"),
+        (2.0, "2.0"),
+        (-0.5, "-0.5"),
+        (-1e16, "-10000000000000000.0"),
+    ],
 )
 def test_numbers_are_written_short_and_never_with_an_exponent(value: float, text: str) -> None:
     assert number(value) == text
+
+
+def test_a_robot_begins_where_the_supply_file_says(host: Host, tmp_path: Path) -> None:
+    """Even if that is what plans begin with where nothing is said."""
+    for arena, start in (("{start: [1.1, 0.2]}", (1.1, 0.2)), ("{}", (1.1, 0.3)), ("{side: 2.6}", (1.3, 0.3))):
+        supply = tmp_path / "supply.yaml"
+        supply.write_text(f"{{arena: {arena}, places: [{{x: 0.2, y: 0.2, blocks: [1, 2, 3]}}]}}\n")
+        found = scenario(made(host, supply=str(supply)))["robots"][0]["start"]
+        assert (found["x"], found["y"]) == start
+
+
+def test_all_supplies_that_are_known_are_named(host: Host) -> None:
+    with pytest.raises(MrtaError, match=r"none\.yaml: cannot be read: .* or corners, corners_all, wall_source$"):
+        made(host, supply="none.yaml")
+
+
+def test_a_plan_for_a_smaller_robot_is_refused(host: Host, tmp_path: Path) -> None:
+    arena = dataclasses.replace(Arena(), robot_radius=0.1)
+    problem = BuildProblem(wall_diagram(), corner_places(arena, [(1, 2, 3)]), arena)
+    plan = tmp_path / "thin.json"
+    plan.write_text(json.dumps(plan_document(plan_build("greedy", problem).plan)))
+    with pytest.raises(MrtaError, match=r"^thin\.json: arena: robot_radius: 0\.1 m; accepted is at least"):
+        made(host, plan=str(plan))
+
+
+def test_a_drawing_may_be_called_anything(host: Host, tmp_path: Path) -> None:
+    drawing = tmp_path / "two\nlines: {.txt"
+    drawing.write_text(TWO)
+    mission = made(host, structure=str(drawing), method="pla")
+    assert mission.tasks_yaml.startswith("# two?lines: {.txt: ")
+    assert len(tasks(mission)) >= 2
 
 
 def test_two_blocks_are_built_of_a_drawing(tmp_path: Path) -> None:

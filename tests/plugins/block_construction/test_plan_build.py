@@ -56,6 +56,11 @@ def test_a_supply_is_read_from_yaml_and_from_json() -> None:
         ("{places: [{x: 1, y: 1, blocks: [1, 1]}]}", "s: places[0].blocks: found 1: None; accepted are lengths"),
         ("{places: [{x: 1, y: 1, blocks: {}}]}", "s: places[0].blocks: must be a list of lengths"),
         ("{arena: {side: -1}, places: 1}", "s: arena: side: must be finite and above 0 m (found -1.0)"),
+        ("{arena: {side: 1.0e+300}, places: 1}", "s: arena: side: 1e+300 m; at most 100 m are accepted"),
+        (
+            "places: [{x: 1, y: 1, yaw: 1.0e+300, blocks: [1]}]",
+            "s: places[0].yaw: found 1e+300 rad; accepted are 10 turns at most",
+        ),
         ("{arena: {start: 1}, places: 1}", "s: arena.start: must be [x, y] in metres (found 1)"),
         ("&a [*a]", "s: the file: must be a mapping of arena, places (found [[[[[[[...]]]]]]])"),
     ],

@@ -16,6 +16,7 @@ from rqt_mrta_py.hooks import BlockPlacement, Structure
 __all__ = ["SCHEMA", "diagram_csv", "diagram_document", "read_diagram"]
 
 SCHEMA = "rqt_mrta_py/assembly_diagram/1"
+_LONGEST_NAME = 255
 _KEYS = ("name", "heights", "lengths", "placements")
 _PLACEMENT_KEYS = ("x", "y", "level", "length")
 
@@ -64,8 +65,13 @@ def read_diagram(name: str, text: str) -> AssemblyDiagram:
         check_size(
             name, max(map(len, heights)), len(heights), max(1, *(height for row in heights for height in row), 1)
         )
+    called = document["name"]
+    if not isinstance(called, str) or not called.isprintable() or not 1 <= len(called) <= _LONGEST_NAME:
+        raise ConstructionError(
+            f"{name}: name: must be one line of 1 to {_LONGEST_NAME} printable characters (found {ascii(called)[:80]})"
+        )
     try:
-        structure = Structure(str(document["name"]), tuple(map(tuple, heights)))
+        structure = Structure(called, tuple(map(tuple, heights)))
     except ValueError as error:
         raise ConstructionError(f"{name}: heights: {error}") from error
     placements: List[BlockPlacement] = []

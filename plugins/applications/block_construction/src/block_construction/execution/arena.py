@@ -14,6 +14,8 @@ __all__ = ["Arena", "Point", "Site", "site_of"]
 
 _MOST_CELLS = 400
 """Along one side of the grid."""
+_LARGEST = 100.0
+"""Across it a robot drives for an hour [m]."""
 _SLACK = 1e-9
 
 
@@ -38,7 +40,8 @@ class Arena:
         start: where the robot begins [m].
 
     Raises:
-        ConstructionError: a measure is not finite and above 0, the grid is too fine, or the start too near to a wall.
+        ConstructionError: a measure is not finite and above 0, the side or the grid is too large, or the
+            start too near to a wall.
     """
 
     side: float = 2.2
@@ -52,6 +55,8 @@ class Arena:
             value = getattr(self, name)
             if not (math.isfinite(value) and value > 0.0):
                 raise ConstructionError(f"arena: {name}: must be finite and above 0 m (found {value})")
+        if self.side > _LARGEST:
+            raise ConstructionError(f"arena: side: {self.side:g} m; at most {_LARGEST:g} m are accepted")
         if not 2 <= self.side / self.cell <= _MOST_CELLS:
             raise ConstructionError(
                 f"arena: cell: {self.cell:g} m for a side of {self.side:g} m; 2 to {_MOST_CELLS} cells a side are "

@@ -6,7 +6,7 @@ import math
 import re
 import reprlib
 from pathlib import Path
-from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 import yaml
 
@@ -20,6 +20,8 @@ __all__ = ["Supply", "read_supply", "supply_document", "supply_named", "supply_o
 
 _MOST_BYTES = 1_000_000
 _MOST_PLACES = 100
+_MOST_TURNS = 10
+_StartOf = Callable[[float], Tuple[float, float]]
 _ARENA_KEYS = ("side", "cell", "robot_radius", "stand_off", "start")
 _PLACE_KEYS = ("x", "y", "yaw", "blocks")
 
@@ -37,32 +39,38 @@ class Supply(NamedTuple):
     places: Tuple[SupplyPlace, ...]
 
 
-def supply_named(given: str) -> Supply:
+def supply_named(given: str, *, others: Sequence[str] = (), start: Optional[_StartOf] = None) -> Supply:
     """Read a supply.
 
     Args:
         given: ``corners`` or ``corners_all``, which come with the package, or a path to a file.
+        others: further names that the caller knows, for errors.
+        start: gives where the robot begins in an arena of such a side [m], where it does not say so; None: as
+            ``Arena`` has it.
 
     Raises:
         ConstructionError: it cannot be read; says where and what is accepted.
     """
     if given in _CORNERS:
-        arena = Arena()
+        arena = Arena() if start is None else Arena(start=start(Arena.side))
         return Supply(arena, corner_places(arena, _CORNERS[given]))
     path = Path(given)
     try:
         text = bounded_text(path, _MOST_BYTES)
     except ConstructionError as error:
-        raise ConstructionError(f"{error}; accepted are a YAML or JSON file, or {', '.join(_CORNERS)}") from error
-    return read_supply(path.name, text)
+        raise ConstructionError(
+            f"{error}; accepted are a YAML or JSON file, or {', '.join((*_CORNERS, *others))}"
+        ) from error
+    return read_supply(path.name, text, start)
 
 
-def read_supply(name: str, text: str) -> Supply:
+def read_supply(name: str, text: str, start: Optional[_StartOf] = None) -> Supply:
     """Read a supply from YAML, of which JSON is a part.
 
     Args:
         name: of the file, for errors.
         text: its content.
+        start: see ``supply_named``.
 
     Raises:
         ConstructionError: it is no such file; says where and what is accepted.
@@ -71,21 +79,22 @@ def read_supply(name: str, text: str) -> Supply:
         document = yaml.safe_load(text)
     except (yaml.YAMLError, RecursionError, ValueError) as error:
         raise ConstructionError(f"{name}: neither YAML nor JSON ({' '.join(str(error).split())})") from error
-    return supply_of(name, document)
+    return supply_of(name, document, start)
 
 
-def supply_of(name: str, document: object) -> Supply:
+def supply_of(name: str, document: object, start: Optional[_StartOf] = None) -> Supply:
     """Make a supply of what a file holds.
 
     Args:
         name: of the file, for errors.
         document: ``arena``, which may be left out, and ``places``.
+        start: see ``supply_named``.
 
     Raises:
         ConstructionError: it has another form; says where and what is accepted.
     """
     whole = _mapping(name, "the file", document, ("arena", "places"))
-    arena = _arena(name, whole.get("arena", {}))
+    arena = _arena(name, whole.get("arena", {}), start)
     listed = whole.get("places")
     if not isinstance(listed, list) or not 1 <= len(listed) <= _MOST_PLACES:
         raise ConstructionError(f"{name}: places: must be a list of 1 to {_MOST_PLACES} places")
@@ -109,7 +118,7 @@ def supply_document(supply: Supply) -> Dict[str, Any]:
     }
 
 
-def _arena(name: str, found: object) -> Arena:
+def _arena(name: str, found: object, start_of: Optional[_StartOf]) -> Arena:
     given = _mapping(name, "arena", found, _ARENA_KEYS)
     values: Dict[str, Any] = {
         key: _number(name, f"arena.{key}", given[key]) for key in _ARENA_KEYS[:-1] if key in given
@@ -119,6 +128,8 @@ def _arena(name: str, found: object) -> Arena:
         if not isinstance(start, list) or len(start) != len("xy"):
             raise ConstructionError(f"{name}: arena.start: must be [x, y] in metres (found {_shown(start)})")
         values["start"] = tuple(_number(name, "arena.start", each) for each in start)
+    elif start_of is not None:
+        values["start"] = start_of(values.get("side", Arena.side))
     try:
         return Arena(**values)
     except ConstructionError as error:
@@ -135,6 +146,8 @@ def _place(name: str, number: int, found: object, arena: Arena) -> SupplyPlace:
     middle = arena.middle
     outward = math.atan2(y - middle.y, x - middle.x)
     yaw = _number(name, f"{where}.yaw", given["yaw"]) if "yaw" in given else outward
+    if abs(yaw) > _MOST_TURNS * 2.0 * math.pi:
+        raise ConstructionError(f"{name}: {where}.yaw: found {yaw:g} rad; accepted are {_MOST_TURNS} turns at most")
     return SupplyPlace(number, x, y, yaw, _stock(name, f"{where}.blocks", given["blocks"]))
 
 

@@ -13,7 +13,6 @@ from block_construction.diagram.diagram import AssemblyDiagram
 from block_construction.diagram.planning import plan_diagram
 from block_construction.diagram.table import read_diagram
 from block_construction.documents import bounded_text
-from block_construction.errors import ConstructionError
 from block_construction.execution.arena import Arena
 from block_construction.execution.feasibility import check_plan
 from block_construction.execution.plan import BuildPlan, build_plan, problem_of
@@ -45,13 +44,19 @@ class Drawn(NamedTuple):
     plan: Optional[BuildPlan]
 
 
-def draw(settings: BuildSettings, planners: Mapping[str, AssemblyPlanner], check: Callable[[Structure], None]) -> Drawn:
+def draw(
+    settings: BuildSettings,
+    planners: Mapping[str, AssemblyPlanner],
+    check: Callable[[Structure], None],
+    check_arena: Callable[[Arena], None] = lambda _: None,
+) -> Drawn:
     """Find out what is built.
 
     Args:
         settings: what is set.
         planners: assembly planners by name.
         check: raises where a structure cannot be built.
+        check_arena: raises where the robot cannot drive in an arena.
 
     Raises:
         MrtaError: it cannot be built; names file, voxel or block.
@@ -60,11 +65,13 @@ def draw(settings: BuildSettings, planners: Mapping[str, AssemblyPlanner], check
         path = Path(settings.plan)
         read = read_plan(path.name, bounded_text(path, MOST_BYTES))
         check(read.diagram.structure)
+        check_arena(read.arena)
         plan = dataclasses.replace(read, arena=dataclasses.replace(read.arena, stand_off=STAND_OFF))
         check_plan(plan)
         return Drawn(problem_of(plan), plan if settings.order == "plan" else None)
     diagram = _diagram(settings, planners, check)
     supply = _supply(settings)
+    check_arena(supply.arena)
     problem = BuildProblem(diagram, supply.places, supply.arena)
     return Drawn(problem, _plan(settings, problem) if settings.order == "plan" else None)
 
@@ -89,17 +96,9 @@ def _diagram(
 
 def _supply(settings: BuildSettings) -> Supply:
     """Give the supply, with an arena as the simulated robot needs it."""
-    if settings.supply == _SOURCE:
-        supply = wall_supply()
-    else:
-        try:
-            supply = supply_named(settings.supply)
-        except ConstructionError as error:
-            more = f", {_SOURCE}" if "corners_all" in str(error) else ""
-            raise ConstructionError(f"{error}{more}") from error
-    arena = supply.arena
-    start = start_point(arena) if arena.start == Arena.start else arena.start
-    return supply._replace(arena=dataclasses.replace(arena, stand_off=STAND_OFF, start=start))
+    by_source = settings.supply == _SOURCE
+    supply = wall_supply() if by_source else supply_named(settings.supply, others=(_SOURCE,), start=start_point)
+    return supply._replace(arena=dataclasses.replace(supply.arena, stand_off=STAND_OFF))
 
 
 def _plan(settings: BuildSettings, problem: BuildProblem) -> BuildPlan:

@@ -1,16 +1,39 @@
-"""What a robot with an arm cannot build."""
+"""What a robot with an arm cannot build, and arenas that it is not made for."""
 
 from __future__ import annotations
 
 from block_construction.diagram.block_set import BODY_HEIGHT
 from block_construction.errors import ConstructionError
-from rqt_mrta_py.hooks import ArmModel, Structure
+from block_construction.execution.arena import Arena
+from rqt_mrta_py.hooks import ArmModel, RobotModel, Structure
 
-__all__ = ["check_levels", "most_levels"]
+__all__ = ["check_arena", "check_levels", "most_levels"]
 
 _OVER = 0.01
 """A carried block passes so high over what is placed [m]."""
 _EXACT = 1e-9
+
+
+def check_arena(name: str, arena: Arena, model: RobotModel) -> None:
+    """Make sure that ways in an arena are found for a robot as large as the one that drives them.
+
+    Args:
+        name: of the file that the arena comes from.
+        arena: as it is given.
+        model: of the robot.
+
+    Raises:
+        ConstructionError: the robot is larger than the arena says, or the grid coarser than the robot's radius.
+    """
+    if arena.robot_radius < model.radius - _EXACT:
+        raise ConstructionError(
+            f"{name}: arena: robot_radius: {arena.robot_radius:g} m; accepted is at least that of {model.name}, "
+            f"{model.radius:g} m"
+        )
+    if arena.cell > model.radius + _EXACT:
+        raise ConstructionError(
+            f"{name}: arena: cell: {arena.cell:g} m; accepted is at most the radius of {model.name}, {model.radius:g} m"
+        )
 
 
 def most_levels(arm: ArmModel) -> int:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from block_construction.errors import ConstructionError
+from block_construction.execution.arena import Arena
 from block_construction.mission.drawing import Drawn, draw
 from block_construction.mission.fetching import check_stands, ready_blocks
-from block_construction.mission.limits import check_levels
+from block_construction.mission.limits import check_arena, check_levels
 from block_construction.mission.scenario_text import MODEL, scenario_text
 from block_construction.mission.settings import SETTINGS, BuildSettings, read_build_settings
 from block_construction.mission.starts import start_poses
@@ -25,12 +28,16 @@ def make_build(request: MissionRequest) -> MadeMission:
         MrtaError: what is set makes no sense, or cannot be built; names setting, file, voxel or block.
     """
     settings = read_build_settings(request.settings, request.given, len(request.team))
-    arm = _arm(request)
+    model: RobotModel = request.registered("mrta_register_robot_models")[MODEL]
+    arm = _arm(model)
 
     def check(structure: Structure) -> None:
         check_levels(structure, arm, MODEL)
 
-    drawn = draw(settings, request.registered("mrta_register_assembly_planners"), check)
+    def check_place(arena: Arena) -> None:
+        check_arena(Path(settings.plan or settings.supply).name, arena, model)
+
+    drawn = draw(settings, request.registered("mrta_register_assembly_planners"), check, check_place)
     ready = ready_blocks(drawn.problem)
     check_stands(drawn.problem, ready)
     starts = start_poses(drawn.problem, ready, len(request.robots))
@@ -49,10 +56,9 @@ def make_build(request: MissionRequest) -> MadeMission:
     )
 
 
-def _arm(request: MissionRequest) -> ArmModel:
-    model: RobotModel = request.registered("mrta_register_robot_models")[MODEL]
+def _arm(model: RobotModel) -> ArmModel:
     if model.arm is None:
-        raise ConstructionError(f"robot model {MODEL}: has no arm, so it cannot build")
+        raise ConstructionError(f"robot model {model.name}: has no arm, so it cannot build")
     return model.arm
 
 

@@ -7,6 +7,8 @@ from typing import Iterable
 __all__ = ["listed", "number"]
 
 _DIGITS = 6
+_WHOLE = 1e16
+"""Floats from here on are written with an exponent, which YAML reads as text."""
 
 
 def number(value: float) -> str:
@@ -17,7 +19,9 @@ def number(value: float) -> str:
     """
     rounded = round(value, _DIGITS)
     # Rounding may leave a negative zero.
-    return repr(rounded + 0.0) if abs(rounded) >= 1e-4 or not rounded else f"{rounded:.6f}"
+    if not rounded or 1e-4 <= abs(rounded) < _WHOLE:
+        return repr(rounded + 0.0)
+    return f"{rounded:.6f}" if abs(rounded) < 1.0 else f"{rounded:.1f}"
 
 
 def listed(values: Iterable[float]) -> str:

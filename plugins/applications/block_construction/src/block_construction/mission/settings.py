@@ -89,14 +89,21 @@ def read_build_settings(values: Mapping[str, str], given: FrozenSet[str], robots
         clash = next((other for other in others if other in given), None)
         if values[name] and clash is not None:
             raise UsageError(f"{name}={values[name]}: says already what {clash}={values[clash]} does; give one of them")
+    order = _one_of("order", values["order"], ORDERS) or ("plan" if robots == 1 else "free")
+    planner = _one_of("planner", values["planner"], sorted(METHODS)) or ""
+    if planner and order == "free":
+        raise UsageError(
+            f"planner={planner}: plans an order, and with order=free (usual of teams) there is none; give order=plan "
+            "or no planner"
+        )
     return BuildSettings(
         structure=values["structure"],
         diagram=values["diagram"],
         plan=values["plan"],
         method=values["method"],
         supply=values["supply"],
-        planner=_one_of("planner", values["planner"], sorted(METHODS)) or "",
-        order=_one_of("order", values["order"], ORDERS) or ("plan" if robots == 1 else "free"),
+        planner=planner,
+        order=order,
         pose_noise=_number("pose_noise", values["pose_noise"], _LARGEST_NOISE, "m"),
         pose_hold=_number("pose_hold", values["pose_hold"], _LONGEST_HOLD, "s"),
         sight_noise=_number("sight_noise", values["sight_noise"], _LARGEST_NOISE, "m"),

@@ -6,7 +6,7 @@ import math
 from typing import Iterator, List, Sequence, Tuple
 
 from block_construction.errors import ConstructionError
-from block_construction.execution.arena import Arena, Point
+from block_construction.execution.arena import Point
 from block_construction.execution.problem import BuildProblem
 from block_construction.mission.fetching import Ready
 from rqt_mrta_py.model import Pose
@@ -18,9 +18,16 @@ _APART = 0.45
 """From other robots and from the middle of what lies ready [m]."""
 
 
-def start_point(arena: Arena) -> Tuple[float, float]:
-    """Give where the first robot begins where nothing else is said: before the middle of the lower wall [m]."""
-    return (arena.side / 2.0, _FROM_WALL)
+def start_point(side: float) -> Tuple[float, float]:
+    """Give where the first robot begins where nothing else is said: before the middle of the lower wall.
+
+    Args:
+        side: of the arena [m].
+
+    Returns:
+        x, y [m].
+    """
+    return (side / 2.0, _FROM_WALL)
 
 
 def start_poses(problem: BuildProblem, ready: Sequence[Ready], robots: int) -> Tuple[Pose, ...]:

@@ -46,7 +46,7 @@ def tasks_text(drawn: Drawn, ready: Sequence[Ready], about: str, team: int) -> s
     jobs = list(_jobs(drawn))
     # Who is not alone waits for a teammate that is at work, before its block is placed or, making room, after that.
     waiting = max(job.duration for job in jobs) if team > 1 else 0.0
-    lines = [f"# {about}", "tasks:"]
+    lines = [f"# {_one_line(about)}", "tasks:"]
     for job in jobs:
         lines += _lines(drawn, job._replace(duration=job.duration + waiting), ready, digits)
     return "\n".join(lines) + "\n"
@@ -108,6 +108,11 @@ def _lines(drawn: Drawn, job: _Job, ready: Sequence[Ready], digits: int) -> List
         "    data:",
         *(f"      {key}: {value}" for key, value in data.items()),
     ]
+
+
+def _one_line(about: str) -> str:
+    """Leave out what would end a comment: names of files may hold anything."""
+    return "".join(each if each.isprintable() else "?" for each in about)
 
 
 def _name(block: int, digits: int) -> str:
