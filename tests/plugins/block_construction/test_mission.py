@@ -212,6 +212,13 @@ def test_sight_noise_is_that_of_detectors(host: Host) -> None:
     assert [(each["kind"], each["position_noise"]) for each in eyes] == [("detector", 0.0), ("detector", 0.003)]
 
 
+def test_bumpers_feel_at_every_tick(host: Host) -> None:
+    """Two robots that graze each other touch for less than half a second."""
+    site = scenario(made(host))
+    (bumper,) = [each for each in site["robot_defaults"]["sensors"] if each["kind"] == "bumper"]
+    assert bumper["rate"] == site["control_rate"]
+
+
 def test_diagrams_and_plans_of_the_verbs_are_built(host: Host, tmp_path: Path) -> None:
     drawing = tmp_path / "two.txt"
     drawing.write_text(TWO)

@@ -79,5 +79,6 @@ def _sensors(pose_noise: float, pose_hold: float, sight_noise: float) -> List[st
         "    - {kind: odometry, topic: odom, rate: 10}",
         "    - {kind: detector, topic: detections, rate: 2, max_range: 1.0, fov: 6.283185, "
         f"position_noise: {number(sight_noise) if sight_noise else '0.0'}, from_above: true}}",
-        "    - {kind: bumper, topic: bumper, rate: 2, bodies: false}",
+        # A touch may be short: it is felt at every tick.
+        f"    - {{kind: bumper, topic: bumper, rate: {_CONTROL_RATE}, bodies: false}}",
     ]
