@@ -22,7 +22,7 @@ LOST = (
 @pytest.mark.parametrize("architecture", ["mrta_demir_cf", "mrta_alliance"])
 @pytest.mark.parametrize(("robots", "events"), [(3, ()), (2, LOST)])
 def test_walls_are_built_by_teams_even_if_a_robot_is_lost(architecture, robots, events) -> None:  # type: ignore[no-untyped-def]
-    """All six blocks lie in their slots; no two robots, 0.36 m wide, came nearer than that, or touched anything."""
+    """All six blocks lie in their slots; no two robots, each 0.36 m wide, came nearer than that or touched anything."""
     settings = ("structure=wall", "supply=corners_all", "order=free", "pose_noise=0.002")
     experiment = Experiment("block_construction", 3, architecture, robots=robots, settings=settings, events=events)
     (trial,) = EmbeddedLaboratory(compose()).trials([experiment])
