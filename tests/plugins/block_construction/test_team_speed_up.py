@@ -23,6 +23,7 @@ def test_one_robot_drives_and_handles_one_block_after_the_other() -> None:
     schedule = list_schedule({1: FAR, 2: NEAR}, [HOME], HANDLING, straight)
     assert schedule.steps == ((0, 2, 0.0, 31.0), (0, 1, 31.0, 64.0))
     assert schedule.time == 64.0
+    assert (schedule.fetching, schedule.placing) == (1.0, 3.0)
 
 
 def test_two_robots_wait_for_each_other_at_one_supply_place() -> None:

@@ -5,5 +5,6 @@
 * ``rates``, ``remembered``, ``bounds``, ``extensions``, ``structures``, ``throughput``: parts of the assembly diagram;
   ``optima``: proved ones
 * ``plans``: of the execution plan, ``published_plans`` the source's tables of it
-* ``builds``, ``noise``, ``teams``: of simulated builds, ``published_builds`` the source's tables of them
+* ``builds``, ``noise``, ``teams``: of simulated builds, ``published_builds`` the source's tables of them;
+  ``undisturbed``: what teams are held against
 """

@@ -3,26 +3,17 @@
 from __future__ import annotations
 
 import math
-from functools import lru_cache
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 from team_measures.statistics.estimates import estimated_mean
 from team_measures.statistics.tables import MEANS, estimate_text, rounded
 
-from block_construction.building.place_block import PLANNED_SPEED, posts_of
-from block_construction.building.procedures import STAND_OFF
-from block_construction.diagram.block_set import PITCH
-from block_construction.exact.planner import EXACT
+from block_construction.building.procedures import TRAVEL_SPEED
 from block_construction.experiments.builds import APPLICATION, build_of
 from block_construction.experiments.part import Options
-from block_construction.mission.drawing import draw
-from block_construction.mission.fetching import ready_blocks
-from block_construction.mission.precedence import precedence
-from block_construction.mission.settings import SETTINGS, read_build_settings
-from block_construction.mission.starts import start_poses
-from block_construction.team.speed_up import Handling, Job, list_schedule
-from block_construction.team.traffic import Traffic
+from block_construction.experiments.undisturbed import undisturbed
+from block_construction.team.speed_up import Handling
 from rqt_mrta_py.hooks import BenchmarkReport, BenchmarkTable, Experiment, Laboratory, Trial
 from rqt_mrta_py.model import ScenarioEvent, ScenarioEventKind, TaskState
 
@@ -38,23 +29,21 @@ _ARCHITECTURE, _OTHER = "mrta_demir_cf", "mrta_alliance"
 _NOISE = 0.002
 
 
-class _Bounds(NamedTuple):
-    """What a build could take without interference.
+class _Measure(NamedTuple):
+    """What teams are held against.
 
     Attributes:
-        jobs: blocks by number.
-        starts: where robots begin [m].
-        traffic: measures ways.
+        time: of one robot [s]; None if it never built it whole.
+        without: times of teams without interference [s], by how many robots.
+        ways: without interference, with what one robot drives beyond its schedule [m/block], likewise; not a number
+            if it never built it whole.
+        handling: of each block beside ways [s].
     """
 
-    jobs: Dict[int, Job]
-    starts: Tuple[Tuple[float, float], ...]
-    traffic: Traffic
-
-    def time(self, robots: int, handling: float) -> float:
-        """Give the time of a team whose robots handle each block for so long, half of it at the supply place [s]."""
-        told = Handling(handling / 2.0, handling / 2.0, PLANNED_SPEED)
-        return list_schedule(self.jobs, self.starts[:robots], told, self.traffic.length).time
+    time: Optional[float]
+    without: Mapping[int, float]
+    ways: Mapping[int, float]
+    handling: Handling
 
 
 class _Row(NamedTuple):
@@ -92,21 +81,21 @@ def measure_teams(options: Options, laboratory: Laboratory) -> BenchmarkReport:
     experiments = [_experiment(structure, size, seed, architecture=name) for name, size in cases for seed in seeds]
     trials = laboratory.trials(experiments)
     found = {case: [_row(next(trials)) for _ in seeds] for case in cases}
-    alone = _mean_time(found[cases[0]])
-    bounds = _bounds(structure, sizes[-1])
-    spent = bounds.time(1, 0.0)
-    handling = 0.0 if alone is None else max(0.0, (alone - spent) / len(bounds.jobs))
+    measure = _measure(structure, sizes, found[cases[0]])
     whole = BenchmarkTable(
         f"Teams that build the {structure}, all lengths in all corners, {len(seeds)} seeds, pose noise {_NOISE:g} m",
         (
             *("architecture", "robots", "whole builds", "blocks not in slots", "time [s]", "speed-up"),
-            *("bound", "of the bound [%]", "waiting [s/block]", "way [m/block]"),
-            *("idle [s/robot]", "nearest [m]", "collisions"),
+            *("without interference", "of it [%]", "waiting [s/block]", "way [m/block]"),
+            *("detour [m/block]", "detour [s/block]", "idle [s/robot]", "nearest [m]", "collisions"),
         ),
-        tuple(_cells(case, found[case], alone, bounds.time(case[1], handling)) for case in cases),
+        tuple(_cells(case, found[case], measure) for case in cases),
         (
-            f"Bound: schedules without interference, {handling:.0f} s at each block beside ways, so that one robot "
-            "takes as long as it took.",
+            "Without interference: speed-up of greedy schedules; no proved bound. Each block takes "
+            f"{measure.handling.fetching:.0f} s at its supply place and {measure.handling.placing:.0f} s elsewhere, "
+            "beside ways: fitted to the time of one robot.",
+            f"Detour: way beyond that of such a schedule, in whole builds; seconds at {TRAVEL_SPEED:g} m/s. What one "
+            "robot drives beyond its own schedule does not count.",
             "Nearest: least distance of two robots' middles, as they believe. Collisions: what their bumpers felt.",
             "Idle: without a block to care for, of each robot. Waiting: for a way.",
             MEANS,
@@ -165,6 +154,25 @@ def _row(trial: Trial) -> _Row:
     return _Row(time, build, int(build["blocks"]), len(record.robots))
 
 
+def _measure(structure: str, sizes: Sequence[int], alone: Sequence[_Row]) -> _Measure:
+    """Reckon builds without interference, fitted to those of one robot."""
+    build, time = undisturbed(structure, sizes[-1]), _mean_time(alone)
+    whole = [row for row in alone if row.time is not None]
+    fetching, driven = 0.0, math.nan
+    if whole:
+        fetching = math.fsum(row.build["fetching"]["seconds"] for row in whole) / len(whole)
+        driven = math.fsum(row.metres / row.blocks for row in whole) / len(whole)
+    handling = Handling(0.0, 0.0, build.speed) if time is None else build.handling(time, fetching)
+    schedules = {robots: build.schedule(robots, handling) for robots in sizes}
+    ways = {robots: (each.fetching + each.placing) / len(build.jobs) for robots, each in schedules.items()}
+    return _Measure(
+        time,
+        {robots: each.time for robots, each in schedules.items()},
+        {robots: way - ways[1] + driven for robots, way in ways.items()},
+        handling,
+    )
+
+
 def _mean_time(rows: Sequence[_Row]) -> Optional[float]:
     times = [row.time for row in rows if row.time is not None]
     return math.fsum(times) / len(times) if times else None
@@ -178,42 +186,24 @@ def _time_text(rows: Sequence[_Row]) -> Optional[str]:
     return estimate_text(estimated_mean([row.time for row in rows if row.time is not None]), 0)
 
 
-def _cells(case: Tuple[str, int], rows: Sequence[_Row], alone: Optional[float], bound: float) -> Tuple[Any, ...]:
+def _cells(case: Tuple[str, int], rows: Sequence[_Row], measure: _Measure) -> Tuple[Any, ...]:
     architecture, robots = case
+    alone = measure.time
     times = [row.time for row in rows if row.time is not None]
     faster = None if alone is None else estimated_mean([alone / time for time in times])
-    most = None if alone is None else alone / bound
+    most = None if alone is None else alone / measure.without[robots]
     share = None if faster is None or most is None else 100.0 * faster.value / most
     waiting = estimated_mean([row.build["waiting"] / row.blocks for row in rows])
     way = estimated_mean([row.metres / row.blocks for row in rows])
+    whole = [] if alone is None or robots == 1 else [row for row in rows if row.time is not None]
+    detours = [row.metres / row.blocks - measure.ways[robots] for row in whole]
+    detour = estimated_mean(detours), estimated_mean([each / TRAVEL_SPEED for each in detours])
     idle = estimated_mean([row.idle for row in rows if row.time is not None])
     near = [row.build["nearest"] for row in rows if row.build["nearest"] is not None]
     return (
         *(architecture, robots, _whole(rows), sum(row.blocks - row.build["placed"] for row in rows)),
         *(_time_text(rows), estimate_text(faster, 2), rounded(most), rounded(share, 0)),
-        *(estimate_text(waiting), estimate_text(way, 2), estimate_text(idle, 0), rounded(min(near, default=None), 3)),
+        *(estimate_text(waiting), estimate_text(way, 2), estimate_text(detour[0], 2), estimate_text(detour[1])),
+        *(estimate_text(idle, 0), rounded(min(near, default=None), 3)),
         sum(row.build["collisions"] for row in rows),
     )
-
-
-@lru_cache(maxsize=None)
-def _bounds(structure: str, robots: int) -> _Bounds:
-    given = {"structure": structure, "supply": "corners_all", "order": "free"}
-    values = {setting.name: given.get(setting.name, setting.default) for setting in SETTINGS}
-    drawn = draw(read_build_settings(values, frozenset(given), robots), {"exact": EXACT}, lambda _: None)
-    problem, ready = drawn.problem, ready_blocks(drawn.problem)
-    before = precedence(problem)
-    jobs = {
-        block.number: Job(
-            tuple(sorted(before[block.number])),
-            problem.approaches[block.number - 1].point,
-            tuple((each.place, each.stand(STAND_OFF)) for each in ready if each.units == block.units),
-            frozenset((cell.x, cell.y) for cell in block.placement.cells()),
-        )
-        for block in problem.diagram.blocks
-    }
-    starts = tuple((pose.x, pose.y) for pose in start_poses(problem, ready, robots))
-    arena = problem.arena
-    posts = posts_of([(each.x, each.y) for each in ready])
-    traffic = Traffic(arena.side, problem.site, arena.robot_radius, PLANNED_SPEED, PITCH, posts=posts)
-    return _Bounds(jobs, starts, traffic)

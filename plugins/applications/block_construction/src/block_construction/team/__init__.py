@@ -6,5 +6,5 @@
 * ``peers``: what a robot knows of its teammates; ``board``: what they have said
 * ``driver``: reserves ways, takes them back where another was first; ``refuge``: where to go aside to
 * ``choice``: from where to fetch; ``lingering``: when one is done; ``turns``: whose turn it is
-* ``berth``: where to wait; ``speed_up``: how much faster a team could be at most
+* ``berth``: where to wait; ``speed_up``: schedules without interference
 """

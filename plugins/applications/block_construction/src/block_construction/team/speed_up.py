@@ -1,4 +1,4 @@
-"""How much faster than one a team could be at most, if robots were never in each other's way: list scheduling."""
+"""How long a team needs, and how far it drives, if robots are never in each other's way: list scheduling."""
 
 from __future__ import annotations
 
@@ -51,9 +51,13 @@ class Schedule(NamedTuple):
 
     Attributes:
         steps: number of the robot, from 0, number of the block, when it sets out and when the block is placed [s].
+        fetching: way of all robots to supply places [m].
+        placing: from there [m].
     """
 
     steps: Tuple[Tuple[int, int, float, float], ...]
+    fetching: float
+    placing: float
 
     @property
     def time(self) -> float:
@@ -84,8 +88,9 @@ def list_schedule(jobs: Mapping[int, Job], starts: Sequence[_Place], handling: H
     groups: Dict[int, float] = {}
     placed: Dict[int, float] = {}
     steps: List[Tuple[int, int, float, float]] = []
+    fetching = placing = 0.0
     while len(placed) < len(jobs):
-        best: Optional[Tuple[float, int, int, int, float, float, float]] = None
+        best: Optional[Tuple[float, int, int, int, float, float, Tuple[float, float]]] = None
         for number, job in sorted(jobs.items()):
             if number in placed or not all(before in placed for before in job.before):
                 continue
@@ -94,21 +99,22 @@ def list_schedule(jobs: Mapping[int, Job], starts: Sequence[_Place], handling: H
                 begin = max(since, ready)
                 covered = frozenset(cell for other, end in placed.items() if end <= begin for cell in jobs[other].cells)
                 for group, stand in job.supplies:
-                    ways = length(here, stand, covered), length(stand, job.dock, covered)
-                    if ways[0] is None or ways[1] is None:
+                    there, back = length(here, stand, covered), length(stand, job.dock, covered)
+                    if there is None or back is None:
                         continue
-                    arrival = begin + handling.allocation + ways[0] / handling.speed
+                    arrival = begin + handling.allocation + there / handling.speed
                     fetched = max(arrival, groups.get(group, 0.0)) + handling.fetching
-                    end = fetched + ways[1] / handling.speed + handling.placing
-                    found = (end, robot, number, group, begin, fetched, ways[1])
+                    end = fetched + back / handling.speed + handling.placing
+                    found = (end, robot, number, group, begin, fetched, (there, back))
                     best = found if best is None else min(best, found)
         if best is None:
             left = ", ".join(str(number) for number in sorted(jobs) if number not in placed)
             raise ValueError(f"blocks {left}: they wait for each other, or there is no way")
-        end, robot, number, group, begin, fetched, _ = best
+        end, robot, number, group, begin, fetched, ways = best
+        fetching, placing = fetching + ways[0], placing + ways[1]
         placed[number], groups[group], free[robot] = end, fetched, (end, jobs[number].dock)
         steps.append((robot, number, begin, end))
-    return Schedule(tuple(steps))
+    return Schedule(tuple(steps), fetching, placing)
 
 
 def speed_up(jobs: Mapping[int, Job], starts: Sequence[_Place], handling: Handling, length: Length) -> float:
