@@ -2,7 +2,7 @@
 
 * ``published``: the source's tables as data; ``benchmark``: the parts, what it takes, the report; ``part``: what one is
 * ``trainings``: many trainings, shared among all cores; ``ways``: how ours differ; ``readings``: of PLA's noise
-* ``rates``, ``remembered``, ``bounds``, ``extensions``, ``structures``, ``throughput``: parts of the assembly diagram;
+* ``rates``, ``memory``, ``parameters``, ``extensions``, ``structures``, ``throughput``: parts of the assembly diagram;
   ``optima``: proved ones
 * ``plans``: of the execution plan, ``published_plans`` the source's tables of it
 * ``builds``, ``noise``, ``teams``: of simulated builds, ``published_builds`` the source's tables of them;

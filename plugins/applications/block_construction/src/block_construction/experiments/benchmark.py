@@ -9,14 +9,14 @@ from typing import Dict, Iterator, Sequence
 
 from team_measures.benchmark_parts import add_parts_argument, count, joined
 
-from block_construction.experiments.bounds import measure_parameters
 from block_construction.experiments.builds import measure_builds
 from block_construction.experiments.extensions import measure_extensions
+from block_construction.experiments.memory import measure_memory
 from block_construction.experiments.noise import measure_noise
+from block_construction.experiments.parameters import measure_parameters
 from block_construction.experiments.part import Options, Part
 from block_construction.experiments.plans import measure_plan_rates, measure_plans
 from block_construction.experiments.rates import measure_rates
-from block_construction.experiments.remembered import measure_memory
 from block_construction.experiments.structures import measure_structures
 from block_construction.experiments.teams import measure_teams
 from block_construction.experiments.throughput import measure_throughput
