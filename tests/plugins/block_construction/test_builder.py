@@ -55,6 +55,17 @@ def test_block_that_was_not_gripped_in_its_middle_is_placed_in_its_slot_all_the_
     assert builder.blocks["b1"] == pytest.approx(SLOT, abs=5e-4)
 
 
+def test_block_is_gripped_where_it_is_seen():
+    """It waits 25 mm aside of its place; the magnet takes nothing that is 20 mm away."""
+    task = a_task()
+    builder = ToyBuilder(task)
+    aside = 0.025 * math.sqrt(0.5)
+    builder.blocks["b1"] = (0.2 - aside, 0.2 + aside, 0.035)
+    assert builder.run(task).progress is Progress.DONE
+    assert builder.blocks["b1"] == pytest.approx(SLOT, abs=5e-4)
+    assert builder.logs() == []
+
+
 def test_block_is_placed_better_than_it_is_seen():
     """Single looks are off by 3 mm in x and in y, by 4.2 mm together; blocks wait 8 mm aside of where they should."""
     tasks = [a_task(level, level=level) for level in (1, 2, 3, 4)]

@@ -155,8 +155,9 @@ class Errand:
         twist = self._travel.drive(perception, felt, fetch.facing)
         if twist is not None:
             return Move(twist, self._helpers.arm.highest, magnet=False)
-        if supply.has_block(felt.now, seen):
-            return self._take(felt, fetch.facing, BODY_HEIGHT / 2.0)
+        block = supply.ready(felt.now, seen)
+        if block is not None:
+            return self._take(felt, block, BODY_HEIGHT / 2.0)
         if supply.fetch is None:
             self._travel.end()
         return self._stand(felt)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from typing import List, Mapping, Optional, Sequence
 
 from block_construction.building.eyes import LONGEST_LOOK, Seen
 from block_construction.building.site_map import is_ready
 from block_construction.building.slot import BlockTask, Fetch
+from rqt_mrta_py.model import Pose
 
 __all__ = ["Supply"]
 
@@ -42,28 +44,36 @@ class Supply:
             self.fetch, self._arrived, self._has_looked = fetch, None, False
         return fetch
 
-    def has_block(self, now: float, seen: Optional[Mapping[str, Seen]]) -> bool:
-        """Tell whether a block lies ready, of a robot that stands before the place; gives it up after a minute.
+    def ready(self, now: float, seen: Optional[Mapping[str, Seen]]) -> Optional[Pose]:
+        """Find the block that lies ready, of a robot that stands before the place; gives it up after a minute.
+
+        Whatever the robot believes where it is, it sees where the block is before it; without eyes the block is taken
+        to lie where the place is.
 
         Args:
             now: the time [s].
             seen: what is seen, if that is new.
+
+        Returns:
+            The block as the robot faces it; None if none lies ready, or it is not known yet.
         """
         fetch = self.fetch
         if fetch is None:
-            return False
+            return None
         if self._arrived is None:
             self._arrived = now
         waited = now - self._arrived
         if seen is None:
-            return not self._has_looked and waited > LONGEST_LOOK
+            return fetch.facing if not self._has_looked and waited > LONGEST_LOOK else None
         self._has_looked = True
-        if any(each.kind == self._slot.kind and is_ready(each, fetch) for each in seen.values()):
-            return True
+        blocks = [each for each in seen.values() if each.kind == self._slot.kind and is_ready(each, fetch)]
+        if blocks:
+            nearest = min(blocks, key=lambda each: (math.hypot(each.x - fetch.x, each.y - fetch.y), each))
+            return Pose(nearest.x, nearest.y, fetch.heading)
         if waited > _PATIENCE:
             self._empty.append(fetch)
             self.fetch = None
-        return False
+        return None
 
     def __str__(self) -> str:
         where = ", ".join([f"({each.x:.2f}, {each.y:.2f})" for each in self._empty])
