@@ -16,12 +16,12 @@ __all__ = ["Verb", "VerbFolder", "VerbTools"]
 class VerbFolder(Protocol):
     """A folder that a verb leaves."""
 
-    def write(self, name: str, text: str) -> None:
-        """Write a text file, whole or not at all.
+    def write(self, name: str, content: Union[str, bytes]) -> None:
+        """Write a file, whole or not at all.
 
         Args:
             name: relative to the folder, parts joined by ``/``.
-            text: its content.
+            content: of it; text is written as UTF-8.
 
         Raises:
             MrtaError: it cannot be written.

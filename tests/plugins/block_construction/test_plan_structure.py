@@ -8,6 +8,9 @@ from typing import Any, Dict
 
 import pytest
 from block_construction.diagram.table import read_diagram
+from block_construction.structure.drawings import read_structure, structure_files
+from block_construction.structure.level_maps import read_level_maps
+from block_construction.structure.library import library_structure
 
 from rqt_mrta_py.app.cli.main import main
 
@@ -48,6 +51,14 @@ def test_the_diagram_that_is_left_is_the_one_that_is_told(capsys: pytest.Capture
     assert len((tmp_path / "out/diagram.csv").read_text(encoding="utf-8").splitlines()) == 7
     assert json.loads((tmp_path / "out/summary.json").read_text(encoding="utf-8"))["cost"] == 6
     assert not (tmp_path / "out/plan.json").exists()
+    forms = [read_structure(str(tmp_path / f"out/structure.{form}")) for form in ("vox", "npy", "txt")]
+    assert {each.heights for each in forms} == {library_structure("wall").heights}
+
+
+def test_a_structure_too_long_for_vox_is_left_in_the_other_forms() -> None:
+    row = read_level_maps("row", "#" * 257)
+    assert sorted(structure_files(row)) == ["structure.npy", "structure.txt"]
+    assert "structure.vox" in structure_files(read_level_maps("row", "#" * 256))
 
 
 def test_a_drawing_of_ones_own_is_planned(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

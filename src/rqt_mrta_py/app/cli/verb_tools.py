@@ -22,9 +22,12 @@ class _Folder:
         self._who = who
         self._folder = folder
 
-    def write(self, name: str, text: str) -> None:
-        """Write a text file, whole or not at all."""
-        self._folder.write_text(name, text)
+    def write(self, name: str, content: Union[str, bytes]) -> None:
+        """Write a file, whole or not at all."""
+        if isinstance(content, str):
+            self._folder.write_text(name, content)
+        else:
+            self._folder.write_bytes(name, content)
 
     def draw(self, picture: Union[Figure, Drawing]) -> None:
         """Draw a figure or drawing to a file of its name."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Dict, Iterable, NamedTuple, Set, Tuple
 
 from block_construction.diagram.block_set import PITCH, block_lengths
-from block_construction.diagram.cost import connection_faults
+from block_construction.diagram.cost import connection_faults, diagram_cost
 from block_construction.errors import ConstructionError
 from block_construction.structure.layers import cells_in_order, layer_of
 from rqt_mrta_py.hooks import BlockPlacement, Structure, Voxel
@@ -68,7 +68,7 @@ class AssemblyDiagram:
     @property
     def cost(self) -> int:
         """Faults and blocks, F_rb."""
-        return len(self.faults) + len(self.blocks)
+        return diagram_cost(self.placements)
 
     @property
     def counts(self) -> Dict[int, int]:

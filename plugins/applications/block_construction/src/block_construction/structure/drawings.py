@@ -1,18 +1,18 @@
-"""Reading structures: one that comes with the package, or a file of any of the three forms."""
+"""Structures as files: reading one of any of the three forms, or one that comes with the package, and writing all."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Callable, Mapping
+from typing import Callable, Dict, Mapping, Union
 
 from block_construction.errors import ConstructionError
-from block_construction.structure.level_maps import read_level_maps
+from block_construction.structure.level_maps import read_level_maps, write_level_maps
 from block_construction.structure.library import library_structure, structure_names
-from block_construction.structure.npy_file import read_npy
-from block_construction.structure.vox_file import read_vox
+from block_construction.structure.npy_file import read_npy, write_npy
+from block_construction.structure.vox_file import LONGEST_SIDE, read_vox, write_vox
 from rqt_mrta_py.hooks import Structure
 
-__all__ = ["MOST_BYTES", "read_structure"]
+__all__ = ["MOST_BYTES", "read_structure", "structure_files"]
 
 MOST_BYTES = 32_000_000
 """A drawing may have so many bytes."""
@@ -54,3 +54,17 @@ def read_structure(given: str) -> Structure:
     except OSError as error:
         raise ConstructionError(f"{given}: cannot be read: {error.strerror or error}") from error
     return reader(path.name, content)
+
+
+def structure_files(structure: Structure) -> Mapping[str, Union[str, bytes]]:
+    """Write a structure in all forms: content by the file's name.
+
+    ``.vox`` is left out where a side is too long for it.
+    """
+    files: Dict[str, Union[str, bytes]] = {
+        "structure.npy": write_npy(structure),
+        "structure.txt": write_level_maps(structure),
+    }
+    if max(structure.columns, structure.rows, structure.levels) <= LONGEST_SIDE:
+        files["structure.vox"] = write_vox(structure)
+    return files

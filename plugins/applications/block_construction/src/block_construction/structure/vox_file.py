@@ -15,7 +15,10 @@ from block_construction.errors import ConstructionError
 from block_construction.structure.voxels import check_size, filled_cells, structure_of
 from rqt_mrta_py.hooks import Structure
 
-__all__ = ["read_vox", "write_vox"]
+__all__ = ["LONGEST_SIDE", "read_vox", "write_vox"]
+
+LONGEST_SIDE = 256
+"""Cells of one side of a model, at the most."""
 
 _MAGIC, _VERSION = b"VOX ", 150
 _OLDEST, _NEWEST = 150, 299
@@ -73,8 +76,10 @@ def read_vox(name: str, content: bytes) -> Structure:
 def write_vox(structure: Structure) -> bytes:
     """Write a drawing of 60 + 4 n bytes for n filled cells, lowest level first."""
     cells = np.argwhere(filled_cells(structure))
-    if max(structure.columns, structure.rows, structure.levels) > np.iinfo(np.uint8).max + 1:
-        raise ConstructionError(f"{structure.name}: a .vox model measures at most 256 cells a side; write .npy instead")
+    if max(structure.columns, structure.rows, structure.levels) > LONGEST_SIDE:
+        raise ConstructionError(
+            f"{structure.name}: a .vox model measures at most {LONGEST_SIDE} cells a side; write .npy instead"
+        )
     voxels = np.empty((len(cells), _VOXEL_BYTES), dtype=np.uint8)
     voxels[:, :3] = cells[:, ::-1]
     voxels[:, 3] = _COLOUR

@@ -15,7 +15,7 @@ from block_construction.errors import ConstructionError
 from block_construction.pictures.curves import tried_figure
 from block_construction.pictures.isometric import isometric_drawing
 from block_construction.pictures.levels import level_drawing
-from block_construction.structure.drawings import read_structure
+from block_construction.structure.drawings import read_structure, structure_files
 from rqt_mrta_py.hooks import UsageError, Verb, VerbTools
 
 __all__ = ["PLAN_STRUCTURE", "SCHEMA"]
@@ -45,7 +45,7 @@ def _add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--set", metavar="KEY=VALUE", dest="settings", action="append", default=[], help="a setting of the planner"
     )
-    parser.add_argument("--out", metavar="DIR", type=Path, help="write diagram and pictures to this folder")
+    parser.add_argument("--out", metavar="DIR", type=Path, help="write diagram, structure and pictures to this folder")
     parser.add_argument("--force", action="store_true", help="write into DIR even if it is not empty")
     parser.add_argument("--json", action="store_true", help="print as JSON")
 
@@ -64,6 +64,8 @@ def _main(options: Namespace, tools: VerbTools) -> int:
     )
     document = _document(planned)
     if folder is not None:
+        for name, content in structure_files(structure).items():
+            folder.write(name, content)
         folder.write("diagram.json", json.dumps(diagram_document(planned.diagram), indent=1) + "\n")
         folder.write("diagram.csv", diagram_csv(planned.diagram))
         folder.write("summary.json", json.dumps(document, indent=2) + "\n")
