@@ -58,6 +58,10 @@ class ToyBuilder:
     def run(self, task: Task, longest: float = 900.0) -> BehaviourStep:
         """Carry out a task until it ends."""
         self.behaviour.start(task, self)
+        return self.finish(task, longest)
+
+    def finish(self, task: Task, longest: float = 900.0) -> BehaviourStep:
+        """Go on with a task that was begun until it ends."""
         for _ in range(round(longest / TICK)):
             step = self.tick(task)
             if step.progress is not Progress.RUNNING:
