@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from rqt_mrta_py.errors import SimError
-from rqt_mrta_py.hooks import Body, World
+from rqt_mrta_py.hooks import Body, Contact, World
 from rqt_mrta_py.model import Obstacle, Pose, Twist
 from rqt_mrta_py.sim.robot_models import CARRIER, DIFF_DRIVE, STRONG_CARRIER
 from tests.sim.worlds import run, setup
@@ -134,6 +134,22 @@ def test_carried_body_does_not_push_its_robot_away(world, model):
     run(world, 5.0)
     np.testing.assert_allclose(world.poses(), [[0.0, 0.0, 0.5]], atol=5e-3)
     np.testing.assert_allclose(relative(world, 0, "block"), held, atol=5e-3)
+    assert world.contacts() == ()
+
+
+def test_what_is_taken_away_touches_nothing_any_more(world):
+    world.reset(setup(Pose(0.0, 0.0), Pose(-1.0, 0.0)))
+    world.add_body(BLOCK)
+    for robot in ("r0", "r1"):
+        world.command(robot, "base", Twist(0.3, 0.0, 0.0))
+    run(world, 2.0)
+    assert Contact("block", "r0") in world.contacts()
+    world.remove_body("block")
+    assert world.contacts() == ()
+    world.command("r0", "base", Twist())
+    run(world, 4.0)
+    assert world.contacts() == (Contact("r0", "r1"),)
+    world.remove_robot("r0")
     assert world.contacts() == ()
 
 

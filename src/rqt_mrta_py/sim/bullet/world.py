@@ -59,6 +59,7 @@ class BulletWorld:
         self._sight: Optional[Sight] = None
         self._sensor_heights: NDArray[np.float64] = np.empty(0)
         self._has_moved = False
+        self._contacts: Optional[Tuple[Contact, ...]] = None
         self._frames: NDArray[np.float64] = np.empty((0, 7))
         self._poses: NDArray[np.float64] = np.empty((0, 3))
 
@@ -105,6 +106,7 @@ class BulletWorld:
                 steps=self._physics_steps,
                 fastest=max(robot.model.max_speed for robot in setup.robots),
             )
+        self._contacts = None
         self._sight = Sight(setup.arena, setup.obstacles, [robot.shape for robot in self._robots.values()])
         self._has_moved = True
 
@@ -206,6 +208,7 @@ class BulletWorld:
         else:
             self._site.step()
         self._has_moved = True
+        self._contacts = None
 
     def poses(self) -> NDArray[np.float64]:
         """Give x, y [m] and yaw [rad] of every robot in the frame ``map``: shape (robots, 3), in the setup's order.
@@ -223,17 +226,9 @@ class BulletWorld:
     def contacts(self) -> Tuple[Contact, ...]:
         """List what touches what after the last step: each pair once, sorted; a carrier and its body do not count."""
         engine = self._running
-        touching: Set[Tuple[int, int]] = {
-            point[1:3] for point in engine.bullet.getContactPoints(physicsClientId=engine.client)
-        }
-        if self._site is not None:
-            touching |= self._site.contacts
-        pairs: Set[Contact] = set()
-        for numbers in touching:
-            first, second = (self._names.get(number) for number in numbers)
-            if first is not None and second is not None and first != second:
-                pairs.add(Contact(min(first, second), max(first, second)))
-        return tuple(sorted(pairs))
+        if self._contacts is None:
+            self._contacts = self._touching(engine)
+        return self._contacts
 
     def ranges(self, robots: Sequence[str], bearings: NDArray[np.float64], max_range: float) -> NDArray[np.float64]:
         """Measure distances from the centres of robots, each in the plane of its range finder.
@@ -272,12 +267,27 @@ class BulletWorld:
         if engine is not None:
             engine.close()
 
+    def _touching(self, engine: Engine) -> Tuple[Contact, ...]:
+        touching: Set[Tuple[int, int]] = {
+            point[1:3] for point in engine.bullet.getContactPoints(physicsClientId=engine.client)
+        }
+        if self._site is not None:
+            touching |= self._site.contacts
+        pairs: Set[Contact] = set()
+        for numbers in touching:
+            first, second = (self._names.get(number) for number in numbers)
+            if first is not None and second is not None and first != second:
+                pairs.add(Contact(min(first, second), max(first, second)))
+        return tuple(sorted(pairs))
+
     def _forget(self, number: int) -> None:
         del self._names[number]
+        self._contacts = None
         if self._site is not None:
             self._site.forget(number)
 
     def _stir(self, number: int) -> None:
+        self._contacts = None
         if self._site is not None:
             self._site.stir(number)
 
