@@ -113,6 +113,17 @@ def test_a_run_plans_for_a_duration_unless_its_mission_ends_any_time_before(
     assert observation.dashboard_view(observation.finish()).duration == planned
 
 
+@pytest.mark.parametrize(("asked", "told"), [((), 0.0), (("--duration", "5"), 5.0)])
+def test_its_bag_tells_a_planned_duration_only_if_somebody_has_planned_one(
+    mrta: Mrta, lingering: Path, tmp_path: Path, asked: Tuple[str, ...], told: float
+) -> None:
+    out = tmp_path / "out"
+    assert mrta("run", str(lingering), "--out", str(out), "--pictures", "0", *asked)[0] == 0
+    codec = compose().codec()
+    said = next(each for each in read_bag(out / "mission.bag") if each[0].topic == "/mrta/mission")
+    assert codec.decode(said[0], said[2])["duration"] == told
+
+
 def test_its_bag_reviews_to_what_the_run_said(mrta: Mrta, lingering: Path, tmp_path: Path) -> None:
     run, review = tmp_path / "run", tmp_path / "review"
     assert mrta("run", str(lingering), "--out", str(run), "--pictures", "0")[0] == 0

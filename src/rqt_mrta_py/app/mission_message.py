@@ -16,13 +16,13 @@ MISSION_TOPIC = "/mrta/mission"
 MISSION_TYPE = "rqt_mrta_py/Mission"
 
 
-def mission_message(mission: Mission, now: float, duration: float) -> Outgoing:
+def mission_message(mission: Mission, now: float, duration: Optional[float]) -> Outgoing:
     """Tell a mission.
 
     Args:
         mission: with its texts.
         now: when it begins, on the stream's clock [s].
-        duration: planned [s].
+        duration: planned [s]; None if unknown.
 
     Returns:
         The latched message that begins a bag.
@@ -35,7 +35,7 @@ def mission_message(mission: Mission, now: float, duration: float) -> Outgoing:
         "taxonomy": str(mission.architecture.taxonomy),
         "seed": mission.seed or 0,
         "seed_known": mission.seed is not None,
-        "duration": duration,
+        "duration": duration or 0.0,
         "robots": [robot.id for robot in mission.application.robots],
         "tasks": [task.id for task in mission.tasks],
         "application_xml": texts.application_xml,

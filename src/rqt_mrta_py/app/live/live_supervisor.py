@@ -198,7 +198,7 @@ class LiveSupervisor:
             recording = () if self._recording is None else (self._recording.take,)
             self._intake = Intake(self.node.name, self._clock, observation, (*ring, *recording), self._tell_news)
             if announce:
-                self._say(mission_message(mission, self.now, duration or 0.0))
+                self._say(mission_message(mission, self.now, duration))
             if first is not None:
                 self._intake.take(first._replace(receipt_ns=self._clock.receipt()))
         for topic in foreseen_topics(mission, observation.wishes):

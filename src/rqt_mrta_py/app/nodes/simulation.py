@@ -46,8 +46,7 @@ def _work(node: RosNode, host: Host, ending: Ending) -> None:
         node.set_parameter("/use_sim_time", True)
         _log.warning("use_sim_time was not set: it is now, but nodes that started before keep the wall's time")
     mission = live_mission(node.parameters, host, choice, parameters)
-    planned = 0.0 if mission.scenario is None else mission.scenario.duration
-    world = WorldSide(mission, duration or planned, node.codec, host.manager)
+    world = WorldSide(mission, duration, node.codec, host.manager)
     try:
         pace = (0.0 if lock_step else 1.0) if factor is None else factor
         simulation = SimulationLoop(

@@ -77,9 +77,7 @@ def review_bag(
     further: Tuple[Listener, ...] = (*exporters.values(), *makers.values(), *why.listeners)
     patience = host.manager.patience
     with patience.at_work("the making of the review"):
-        is_open_ended = mission.scenario is not None and mission.scenario.is_open_ended
-        duration = length if is_open_ended else subject.duration or length
-        observation = Observation(mission, codec, host.manager, duration, further)
+        observation = Observation(mission, codec, host.manager, subject.duration or length, further)
     with Interrupt() as interrupt, ExitStack() as stack:
         folder = OutputFolder.create(request.out, f"{recordings.name}-review", request.force)
         path = folder.monitor(wanted=period > 0)

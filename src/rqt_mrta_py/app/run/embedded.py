@@ -21,7 +21,7 @@ class EmbeddedRun:
     def __init__(
         self,
         mission: Mission,
-        duration: float,
+        duration: Optional[float],
         codec: Codec,
         manager: PluginManager,
         *,
@@ -31,7 +31,7 @@ class EmbeddedRun:
 
         Args:
             mission: with a scenario and a seed.
-            duration: of the mission [s].
+            duration: of the mission, at most [s]; None: the scenario's own.
             codec: writes and reads messages.
             manager: plugins, loaded.
             change: puts another agent in the place of each; None: they stay as they are.

@@ -36,7 +36,7 @@ def run_mission(host: Host, request: RunRequest, progress: Callable[[float, floa
     codec, rate, duration = prepared.codec, prepared.scenario.control_rate, prepared.duration
     with host.manager.patience.at_work("the making of the mission"):
         observation = prepared.observe()
-        run = EmbeddedRun(prepared.mission, duration, codec, host.manager)
+        run = EmbeddedRun(prepared.mission, request.duration, codec, host.manager)
     try:
         with Interrupt() as interrupt:
             plan = prepared.plan(observation, run.clock, run.last_tick)

@@ -26,7 +26,7 @@ class Preparation:
     Attributes:
         mission: to be run.
         scenario: of the mission.
-        duration: planned [s].
+        duration: of the mission, at most [s].
         codec: reads and writes messages.
 
     Args:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import List, Mapping
+from typing import List, Mapping, Optional
 
 from rqt_mrta_py.app.guard import makers
 from rqt_mrta_py.app.mission_message import mission_message
@@ -40,7 +40,7 @@ class WorldSide:
 
     Args:
         mission: with a scenario and a seed.
-        duration: of the mission [s].
+        duration: of the mission, at most [s]; None: the scenario's own.
         codec: writes and reads messages.
         manager: plugins, loaded.
 
@@ -49,13 +49,16 @@ class WorldSide:
         SimError: the world cannot be built as the scenario wants it.
     """
 
-    def __init__(self, mission: Mission, duration: float, codec: Codec, manager: PluginManager) -> None:
+    def __init__(self, mission: Mission, duration: Optional[float], codec: Codec, manager: PluginManager) -> None:
         if mission.scenario is None or mission.seed is None:
             raise UsageError(f"{mission.application.package}: has no scenario, so there is nothing to simulate")
         self.mission = mission
         self.scenario: ScenarioSpec = mission.scenario
         self.seed = mission.seed
-        self._duration = duration
+        self._planned = duration
+        if duration is None:
+            duration = self.scenario.duration
+            self._planned = None if self.scenario.is_open_ended else duration
         self.clock = RunClock(self.scenario.control_rate)
         self.last_tick = self.clock.ticks(duration)
         if self.last_tick < 1:
@@ -97,7 +100,7 @@ class WorldSide:
             now: its stamp [s].
         """
         if tick == 0:
-            self._world_node.publish(mission_message(self.mission, now, self._duration), now)
+            self._world_node.publish(mission_message(self.mission, now, self._planned), now)
         for event in self.simulation.begin_tick(tick, now):
             self._world_node.publish(label_of(event, now), now)
             order = order_of(event, self._tasks.get(event.task or ""), now, self._removed)
