@@ -7,9 +7,10 @@ from typing import Any, Dict, List, Optional
 
 import pytest
 from block_construction.building.team_journey import comes_nearer
-from block_construction.team.board import ROBOT_REMOVED, TeamBoard
+from block_construction.team.board import TeamBoard
 from block_construction.team.lingering import Placement, is_done
 from block_construction.team.peers import Dock, Peer, peer_ways
+from block_construction.team.removals import REMOVALS
 from block_construction.team.timed_way import TimedPoint
 
 from rqt_mrta_py.hooks import Heard
@@ -65,7 +66,7 @@ def test_the_silent_stand_where_they_last_said_to_be_until_they_are_removed() ->
     assert (peer.way, peer.idle) == ((TimedPoint(0.0, 0.6, 0.5),), True)
     ear.now = 500.0
     assert board.peers(ear) == (peer,)
-    ear.hear(ROBOT_REMOVED, {"data": "robot2"})
+    ear.hear(REMOVALS.topic, {"data": "robot2"})
     assert board.peers(ear) == ()
     # Who speaks again is back.
     ear.now = 600.0
@@ -78,20 +79,20 @@ def test_two_who_are_removed_between_two_looks_are_both_gone() -> None:
     for robot in ("robot2", "robot3", "robot4"):
         ear.state(robot, TimedPoint(0.0, 0.5, 0.5))
     assert len(board.peers(ear)) == 3
-    ear.hear(ROBOT_REMOVED, {"data": "robot2"})
-    ear.hear(ROBOT_REMOVED, {"data": "robot2 robot3"})
+    ear.hear(REMOVALS.topic, {"data": "robot2"})
+    ear.hear(REMOVALS.topic, {"data": "robot2 robot3"})
     assert [peer.id for peer in board.peers(ear)] == ["robot4"]
 
 
 def test_who_came_back_and_is_removed_again_is_gone_again() -> None:
     board, ear = a_board("robot2"), Ear()
-    ear.hear(ROBOT_REMOVED, {"data": "robot2"})
+    ear.hear(REMOVALS.topic, {"data": "robot2"})
     assert board.peers(ear) == ()
     ear.now = 10.0
     ear.state("robot2", TimedPoint(10.0, 0.3, 0.3))
     assert len(board.peers(ear)) == 1
     ear.now = 11.0
-    ear.hear(ROBOT_REMOVED, {"data": "robot2"})
+    ear.hear(REMOVALS.topic, {"data": "robot2"})
     assert board.peers(ear) == ()
 
 

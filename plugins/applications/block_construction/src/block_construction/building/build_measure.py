@@ -9,6 +9,7 @@ from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tup
 from block_construction.building.eyes import WITHIN
 from block_construction.building.slot import KIND, BlockTask, block_task
 from block_construction.building.state import BUILDER_STATE, BUILDER_STATE_TYPE
+from block_construction.team.removals import REMOVALS, removed_robots
 from rqt_mrta_py.hooks import Heard, MeasureSetup, Subscription
 from rqt_mrta_py.model import MissionRecord
 
@@ -16,8 +17,8 @@ __all__ = ["BuildMeasure", "PlacingError", "errors_of"]
 
 _STATES = Subscription(f"/@robot_id@/{BUILDER_STATE}", BUILDER_STATE_TYPE, ("task", "activity", "pose/x", "pose/y"))
 _BODIES = Subscription("/simulation/bodies", "rqt_mrta_py/Detections", ("detections",))
-_BUMPERS = Subscription("/@robot_id@/bumper", "std_msgs/Bool", ("data",))
-_REMOVED = Subscription("/mrta/robot_removed", "std_msgs/String", ("data",))
+_BUMPER = "/bumper"
+_BUMPERS = Subscription(f"/@robot_id@{_BUMPER}", "std_msgs/Bool", ("data",))
 _STRIDE = 0.01
 """Ways are measured between spots so far apart [m]: noise of a robot that stands is no way."""
 _HEIGHT = 0.005
@@ -81,20 +82,20 @@ class BuildMeasure:
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Hear builders and the simulation, if anything is built."""
-        return (_STATES, _BODIES, _BUMPERS, _REMOVED) if self._slots else ()
+        return (_STATES, _BODIES, _BUMPERS, REMOVALS) if self._slots else ()
 
     def hear(self, heard: Heard) -> None:
         """Take in one message."""
         fields = heard.fields
-        if heard.topic == _REMOVED.topic:
-            for robot_id in str(fields["data"]).split():
+        if heard.topic == REMOVALS.topic:
+            for robot_id in removed_robots(heard):
                 self._robots.pop(robot_id, None)
             return
         if not heard.robot:
             self._bodies = fields["detections"]
             return
         robot = self._robots.setdefault(heard.robot, _Robot())
-        if "data" in fields:
+        if heard.topic.endswith(_BUMPER):
             self._collisions = (self._collisions or 0) + (bool(fields["data"]) and not robot.touches)
             robot.touches = bool(fields["data"])
             return

@@ -7,13 +7,12 @@ from typing import Callable, Dict, FrozenSet, List, Mapping, Optional, Sequence,
 
 from block_construction.team.driver import Driver
 from block_construction.team.peers import Dock, Peer, dock_at
+from block_construction.team.removals import REMOVALS, removed_robots
 from block_construction.team.timed_way import TimedPoint, TimedWay, place_at
 from block_construction.team.traffic import Traffic
 from rqt_mrta_py.hooks import Heard, Perception, Subscription
 
-__all__ = ["ROBOT_REMOVED", "TeamBoard"]
-
-ROBOT_REMOVED = "/mrta/robot_removed"
+__all__ = ["TeamBoard"]
 
 _STATE_FIELDS = (
     *("header/stamp", "task", "activity", "pose/x", "pose/y"),
@@ -60,7 +59,7 @@ class TeamBoard:
 
     def subscriptions(self) -> Sequence[Subscription]:
         """Hear what the others say, where they are, and who was removed."""
-        wishes: List[Subscription] = [Subscription(ROBOT_REMOVED, "std_msgs/String", ("data",))]
+        wishes: List[Subscription] = [REMOVALS]
         for robot in self._others:
             wishes.append(Subscription(_state(robot), "block_construction/BuilderState", _STATE_FIELDS))
             wishes.append(
@@ -116,10 +115,10 @@ class TeamBoard:
         return self._peers[1]
 
     def _take_in_removals(self, perception: Perception) -> None:
-        announced = perception.newest(ROBOT_REMOVED)
+        announced = perception.newest(REMOVALS.topic)
         if announced is not None and announced is not self._announced:
             self._announced = announced
-            for robot in str(announced.fields["data"]).split():
+            for robot in removed_robots(announced):
                 self._removed[robot] = announced.receipt
 
     @staticmethod
