@@ -107,6 +107,7 @@ def changed(**changes: Any) -> str:
     ("changes", "message"),
     [
         ({"schema": 1}, "p: schema: found 1; accepted is 'rqt_mrta_py/build_plan/1'"),
+        ({"method": None}, "p: method: must be a text (found None)"),
         ({"steps": 1}, "p: steps: must be a list (found int)"),
         ({"steps": [{"place": 1}]}, "p: steps[0]: must have whole numbers place, block, heading_deg"),
         (

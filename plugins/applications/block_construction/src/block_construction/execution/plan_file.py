@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import math
+import reprlib
 from typing import Any, Dict, List, Tuple
 
 from block_construction.diagram.table import diagram_document, read_diagram
@@ -85,12 +86,18 @@ def read_plan(name: str, text: str) -> BuildPlan:
     diagram = read_diagram(f"{name}: diagram", json.dumps(document["diagram"]))
     supply = supply_of(f"{name}: supply", document["supply"])
     steps = _steps(name, document["steps"])
-    plan = BuildPlan(str(document.get("method", "")), diagram, supply.arena, supply.places, steps)
+    plan = BuildPlan(_method(name, document.get("method", "")), diagram, supply.arena, supply.places, steps)
     try:
         check_plan(plan)
         return build_plan(plan.method, problem_of(plan), [Step(step.place, step.block) for step in steps])
     except ConstructionError as error:
         raise ConstructionError(f"{name}: {error}") from error
+
+
+def _method(name: str, found: object) -> str:
+    if not isinstance(found, str):
+        raise ConstructionError(f"{name}: method: must be a text (found {reprlib.repr(found)})")
+    return found
 
 
 def _steps(name: str, found: object) -> Tuple[PlannedStep, ...]:

@@ -25,9 +25,10 @@ _SLACK = 1e-9
 def precedence(problem: BuildProblem, nearest: float = 0.40) -> Mapping[int, FrozenSet[int]]:
     """Find what must be placed before each block.
 
-    In every order that respects this, each block lies on blocks or the floor, is brought along a free corridor to
-    where the robot has room, and there are ways to and from all supply places that have its like. What must lie before
-    the blocks before a block is left out.
+    In every order that respects this, each block lies on blocks or the floor, and is brought along a free corridor to
+    where the robot has room. Ways to and from all supply places that have its like are looked for once, with all blocks
+    in place that may then be; where there are none, later groups come after it. What must lie before the blocks before
+    a block is left out.
 
     Args:
         problem: what is built, from where, and from which sides.
