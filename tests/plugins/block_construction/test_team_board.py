@@ -171,8 +171,8 @@ TASKS = {
 }
 
 
-def done(task: str, placed: List[int], *peers: Peer) -> bool:
-    return is_done(("robot1", task, (1.0, 0.27)), TASKS, set(placed), peers)
+def done(task: str, placed: List[int], *peers: Peer, is_aside: bool = True) -> bool:
+    return is_done(("robot1", task, (1.0, 0.27)), TASKS, set(placed), peers, is_aside=is_aside)
 
 
 @pytest.mark.parametrize("lingers", [True, False])
@@ -182,6 +182,18 @@ def test_a_task_is_done_once_there_is_more_to_do_or_a_block_waits_for_it(lingers
     assert done("block1", [1], far) is False
     assert done("block1", [1, 2], far)
     assert done("block3", [1, 2, 3], far)
+
+
+def test_who_may_be_left_without_a_task_goes_aside_before_it_is_done() -> None:
+    """Once its task is done a robot stands; one that stands at the dock of the last block keeps others from it."""
+    at_work = Peer("robot2", (TimedPoint(0.0, 1.93, 1.1),), task="block2")
+    idle = at_work._replace(task="", idle=True)
+    # Blocks 1 and 2 are placed: for block 3 there is nobody else, or there are two.
+    assert done("block1", [1, 2], at_work, is_aside=False)
+    assert not done("block1", [1, 2], idle, is_aside=False)
+    assert done("block1", [1, 2], idle)
+    # Nothing is left to keep anybody from.
+    assert done("block3", [1, 2, 3], idle, is_aside=False)
 
 
 def test_of_two_who_linger_the_nearer_is_done() -> None:

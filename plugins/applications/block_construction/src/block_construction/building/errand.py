@@ -11,7 +11,7 @@ from block_construction.building.gripping import CENTRED, Grip, grip_of, touchin
 from block_construction.building.helpers import Helpers
 from block_construction.building.laying import spare_place
 from block_construction.building.performer import Felt, Outcome, Performer
-from block_construction.building.procedures import assembly, manipulation, withdrawal
+from block_construction.building.procedures import STAND_OFF, assembly, manipulation, withdrawal
 from block_construction.building.routes import way_length
 from block_construction.building.site_map import Found, is_in_lane
 from block_construction.building.slot import BlockTask
@@ -65,6 +65,7 @@ class _Stage(Enum):
     PLACING = "placing"
     CHECKING = "checking"
     LINGERING = "lingering"
+    GIVING_UP = "giving_up"
 
 
 class Errand:
@@ -85,10 +86,18 @@ class Errand:
         state: of the builder, kept up to date.
         felt: what the robot knows of itself as it begins.
         grip: how it holds what it holds, if that belongs into the slot; None if it has to fetch.
+        before: the block at which it was at work last; None if nobody knows.
     """
 
     def __init__(
-        self, helpers: Helpers, slot: BlockTask, state: BuilderState, felt: Felt, grip: Optional[Grip]
+        self,
+        helpers: Helpers,
+        slot: BlockTask,
+        state: BuilderState,
+        felt: Felt,
+        *,
+        grip: Optional[Grip],
+        before: Optional[Pose] = None,
     ) -> None:
         self._helpers = helpers
         self.slot = slot
@@ -107,7 +116,12 @@ class Errand:
         begin = _Stage.TO_SLOT if grip is not None else _Stage.TO_SPARE_PLACE if felt.held else _Stage.TO_SUPPLY
         self._stage = self._next = begin
         if self._is_arm_down(felt):
-            self._withdraw(felt, self._next)
+            self._withdraw(felt, self._next, before)
+
+    @property
+    def before(self) -> Optional[Pose]:
+        """The block at which the robot is or was at work last, as it faces it [m, rad]; None if at none."""
+        return None if self._performer is None else self._performer.block
 
     def left(self, pose: Pose) -> Optional[float]:
         """Give the ways that are left [m]; None if there is none."""
@@ -135,6 +149,8 @@ class Errand:
             move = self._check(felt, seen)
         elif stage is _Stage.LINGERING:
             move = self._linger(perception, felt)
+        elif stage is _Stage.GIVING_UP:
+            move = self._give_up(perception, felt)
         else:
             self._look_at_magnet(felt, seen)
             move = self._perform(felt)
@@ -151,7 +167,7 @@ class Errand:
         if fetch is None:
             return self._finish(felt, Progress.FAILED, str(supply))
         if self._travel.is_shut_in(perception, felt):
-            return self._finish(felt, Progress.UNREACHABLE, _SHUT_IN)
+            return self._enter(_Stage.GIVING_UP, felt)
         twist = self._travel.drive(perception, felt, fetch.facing)
         if twist is not None:
             return Move(twist, self._helpers.arm.highest, magnet=False)
@@ -186,7 +202,7 @@ class Errand:
         if self._is_taken(seen):
             return self._finish(felt, Progress.DONE, "its slot is taken already")
         if self._travel.is_shut_in(perception, felt):
-            return self._finish(felt, Progress.UNREACHABLE, _SHUT_IN)
+            return self._enter(_Stage.GIVING_UP, felt)
         twist = self._travel.drive(perception, felt, slot.facing)
         if twist is not None:
             return Move(twist, helpers.arm.highest, magnet=True)
@@ -227,7 +243,9 @@ class Errand:
             return self._lose(felt, f"while {self._state.activity}", None)
         if performed.outcome is Outcome.MISSED:
             return self._miss(felt, performer.block)
-        return self._finish(felt, Progress.FAILED, f"something is in the way while {self._state.activity}")
+        # Where this robot is stuck another one may get on.
+        progress = Progress.FAILED if self._helpers.team is None else Progress.UNREACHABLE
+        return self._finish(felt, progress, f"something is in the way while {self._state.activity}")
 
     def _go_on(self, felt: Felt, grip: Grip) -> Move:
         if self._stage is _Stage.WITHDRAWING:
@@ -264,6 +282,14 @@ class Errand:
         if twist is None:
             return self._finish(felt, Progress.DONE, "")
         return Move(twist, self._helpers.arm.highest, magnet=False)
+
+    def _give_up(self, perception: Perception, felt: Felt) -> Move:
+        """Leave its task to others, and them room: who keeps it from its way may do it, if it is not in their way."""
+        team = self._helpers.team
+        twist = None if team is None else self._travel.go_aside(perception, felt, team)
+        if twist is None:
+            return self._finish(felt, Progress.UNREACHABLE, _SHUT_IN)
+        return Move(twist, self._helpers.arm.highest, bool(felt.held))
 
     def _miss(self, felt: Felt, block: Pose) -> Move:
         self._misses += 1
@@ -307,11 +333,14 @@ class Errand:
         self._helpers.site.put(self.slot.block, inside[0])
         return True
 
-    def _withdraw(self, felt: Felt, then: _Stage) -> Move:
-        """Go back from whatever is before the robot, and raise the arm."""
-        arm, yaw = self._helpers.arm, felt.pose.yaw
+    def _withdraw(self, felt: Felt, then: _Stage, at: Optional[Pose] = None) -> Move:
+        """Go back from whatever is before the robot, and raise the arm; no farther than it stands off a block."""
+        arm, (x, y, yaw) = self._helpers.arm, (felt.pose.x, felt.pose.y, felt.pose.yaw)
         reach = arm.reach_at(felt.angle) + CENTRED.ahead
-        before = Pose(felt.pose.x + reach * math.cos(yaw), felt.pose.y + reach * math.sin(yaw), yaw)
+        if at is not None:
+            ahead = (at.x - x) * math.cos(yaw) + (at.y - y) * math.sin(yaw)
+            reach = min(max(reach, ahead), STAND_OFF)
+        before = Pose(x + reach * math.cos(yaw), y + reach * math.sin(yaw), yaw)
         actions = withdrawal(arm, felt.angle, magnet=bool(felt.held))
         self._performer = Performer(arm, actions, before, CENTRED, felt.now)
         self._next = then

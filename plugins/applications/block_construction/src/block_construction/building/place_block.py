@@ -112,6 +112,7 @@ class PlaceBlock:
         self._teller = Teller()
         self._errand: Optional[Errand] = None
         self._holding: Tuple[str, int, Optional[Grip]] = ("", 0, None)
+        self._before: Optional[Pose] = None
         self._commands: Sequence[Command] = _STILL
         self._twist = Twist()
         self._told: Dict[str, _Told] = {}
@@ -178,8 +179,10 @@ class PlaceBlock:
         if errand is None:
             slot = self._slot(task)
             helpers = Helpers(self._arm, self._traffic_of(slot), site, self._team(slot))
-            errand = self._errand = Errand(helpers, slot, state, felt, self._grip_for(slot, felt.held))
+            grip = self._grip_for(slot, felt.held)
+            errand = self._errand = Errand(helpers, slot, state, felt, grip=grip, before=self._before)
         move = errand.step(perception, felt, seen)
+        self._before = errand.before or self._before
         self._holding = (felt.held, errand.slot.units, errand.grip) if felt.held else ("", 0, None)
         if move.progress is not Progress.RUNNING:
             state.task, state.activity, state.action, state.way, state.goal = "", "idle", "", (), ()

@@ -13,7 +13,7 @@ from block_construction.building.slot import BlockTask, Fetch
 from block_construction.building.state import BuilderState
 from block_construction.building.supply import Supply
 from block_construction.building.team_journey import TeamJourney, dock_before
-from block_construction.building.teamwork import RECONSIDERED, Lingering, Team, choose_fetch
+from block_construction.building.teamwork import RECONSIDERED, Aside, Lingering, Team, choose_fetch
 from rqt_mrta_py.hooks import Perception
 from rqt_mrta_py.model import Pose, Twist
 
@@ -35,6 +35,7 @@ class Travel:
         self._state = state
         self._journey: Optional[Union[Journey, TeamJourney]] = None
         self._lingering: Optional[Lingering] = None
+        self._aside: Optional[Aside] = None
         self._chosen = -math.inf
 
     def end(self) -> None:
@@ -101,6 +102,25 @@ class Travel:
         twist = lingering.step(perception, felt.pose, self._helpers.site)
         if lingering.journey is not None:
             self._say(lingering.journey, "idle")
+        return twist
+
+    def go_aside(self, perception: Perception, felt: Felt, team: Team) -> Optional[Twist]:
+        """Go where it is in nobody's way.
+
+        Args:
+            perception: of the robot.
+            felt: what it knows of itself.
+            team: of the robot.
+
+        Returns:
+            The velocities; None once it is there, or has tried for long enough.
+        """
+        aside = self._aside = self._aside or Aside(team)
+        if aside.is_over:
+            return None
+        twist = aside.step(perception, felt.pose, self._helpers.site)
+        if aside.journey is not None:
+            self._say(aside.journey, "idle")
         return twist
 
     def _best(self, perception: Perception, felt: Felt, supply: Supply) -> Optional[Fetch]:
