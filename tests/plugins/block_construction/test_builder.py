@@ -7,9 +7,10 @@ import re
 from dataclasses import replace
 
 import pytest
+from block_construction.team.board import TeamBoard
 
 from rqt_mrta_py.hooks import BehaviourSetup
-from rqt_mrta_py.model import Progress
+from rqt_mrta_py.model import Pose, Progress
 from rqt_mrta_py.sim.robot_models import CARRIER
 from tests.plugins.block_construction.toy_builder import ToyBuilder, a_task
 
@@ -297,3 +298,58 @@ def test_other_supply_place_is_tried_where_one_stays_empty():
     builder.blocks = {"b1": (2.0, 2.0, 0.035)}
     assert builder.run(task).progress is Progress.DONE
     assert builder.blocks["b1"] == pytest.approx(SLOT, abs=5e-4)
+
+
+def test_robot_that_is_interrupted_over_and_over_stands_no_farther_off_than_once():
+    """It takes 12 s to withdraw; who began anew each time would go back 10 cm each time, into a wall."""
+    task = a_task()
+    builder = ToyBuilder(task)
+    builder.behaviour.start(task, builder)
+    until(builder, task, "fetching", "approach")
+    farthest = 0.0
+    for _ in range(5):
+        builder.behaviour.start(task, builder)
+        for _ in range(100):
+            builder.tick(task)
+            farthest = max(farthest, math.dist((builder.pose.x, builder.pose.y), (0.2, 0.2)))
+    assert farthest == pytest.approx(0.55, abs=5e-3)
+    builder.finish(task)
+    assert builder.blocks["b1"] == pytest.approx(SLOT, abs=5e-4)
+
+
+def in_a_team(*tasks, teammate):
+    """Make a builder whose only teammate stands somewhere with nothing to do."""
+    builder = ToyBuilder(*tasks, board=TeamBoard("robot1", ("robot1", "robot2"), 0.03, dict))
+    builder.pose = Pose(0.5, 1.7, math.pi / 2)
+    builder.hear("/robot2/pose", {"pose/position/x": teammate[0], "pose/position/y": teammate[1]})
+    return builder
+
+
+def test_who_is_shut_in_goes_aside_before_it_leaves_its_task_to_others():
+    """Who stands at the dock of the slot may have to place the block, and needs room for it."""
+    task = a_task()
+    builder = in_a_team(task, teammate=(1.02, 0.31))
+    builder.behaviour.start(task, builder)
+    until(builder, task, "waiting", "")
+    waits = builder.pose
+    step = builder.finish(task)
+    assert (step.progress, step.detail) == (Progress.UNREACHABLE, "robots without anything to do leave no way")
+    aside = (builder.pose.x, builder.pose.y)
+    assert math.dist(aside, (waits.x, waits.y)) > 0.1
+    assert min(abs(value - berth) for value in aside for berth in (0.38, 2.2 - 0.38)) < 5e-3
+    assert math.dist(aside, (1.02, 0.31)) > 0.40
+    assert builder.held == "b1"
+
+
+@pytest.mark.parametrize("alone", [True, False])
+def test_robot_that_is_stuck_leaves_its_task_to_teammates_if_there_are_any(alone):
+    task = a_task()
+    builder = ToyBuilder(task) if alone else in_a_team(task, teammate=(1.9, 1.1))
+    builder.behaviour.start(task, builder)
+    until(builder, task, "placing", "approach")
+    stuck, step = builder.pose, builder.tick(task)
+    while step.progress is Progress.RUNNING and builder.now < 900.0:
+        builder.pose = replace(stuck)
+        step = builder.tick(task)
+    assert step.progress is (Progress.FAILED if alone else Progress.UNREACHABLE)
+    assert step.detail == "something is in the way while placing"

@@ -124,8 +124,8 @@ class ToyBuilder:
                 self._aside = cos * (y - at[1]) - sin * (x - at[0])
 
     def _sense(self) -> None:
-        self._hear("arm/state", {"data": self.angle})
-        self._hear("magnet/state", {"data": self.held})
+        self.hear("arm/state", {"data": self.angle})
+        self.hear("magnet/state", {"data": self.held})
         if self.sees and self.pose is not None:
             cos, sin = math.cos(self.pose.yaw), math.sin(self.pose.yaw)
             seen = []
@@ -137,7 +137,8 @@ class ToyBuilder:
                     seen.append(
                         {"id": name, "kind": f"block{self.units.get(name, 3)}", "position": position, "held": False}
                     )
-            self._hear("detections", {"detections": seen})
+            self.hear("detections", {"detections": seen})
 
-    def _hear(self, topic: str, fields: Mapping[str, Any]) -> None:
+    def hear(self, topic: str, fields: Mapping[str, Any]) -> None:
+        """Let it hear a message."""
         self._heard[topic] = Heard(topic, "", self.now, fields)
