@@ -146,9 +146,10 @@ class Driver:
         return self._told.turn + self._told.turn_apart * sum(peer.id < self._robot_id for peer in self._heard)
 
     def _must_yield(self, now: float) -> bool:
+        """Tell whether the way meets that of somebody who was first, or who will not move out of it."""
         own = (self.way[0].time, self._robot_id)
         return now < self.way[-1].time and any(
-            (peer.announced, peer.id) < own
+            (peer.idle or (peer.announced, peer.id) < own)
             and conflicts(self.way, peer.way, now, self._traffic.clearance - self._told.tolerance)
             for peer in self._heard
         )
