@@ -19,13 +19,13 @@ from block_construction.execution.supply import SupplyPlace, corner_places, stan
 from block_construction.team.berth import find_berth
 from block_construction.team.choice import Trip, best_trip
 from block_construction.team.driver import Driver
+from block_construction.team.lingering import Placement, is_done
 from block_construction.team.peers import Dock, Peer, dock_at
 from block_construction.team.timed_way import place_at
 from block_construction.team.traffic import Post, Traffic
-from block_construction.team.turns import nearest_pairs
 
 SPEED, RADIUS, STAND_OFF = 0.03, 0.18, 0.55
-FETCHING, PLACING = 40.0, 55.0
+FETCHING, PLACING, LINGERING = 40.0, 55.0, 60.0
 STEP = 0.5
 NOWHERE = Dock(0.0, 0.0, 0.0, 0.0)
 REACH = 0.42
@@ -92,7 +92,9 @@ class Builder:
         end = self.driver.way[-1]
         target = self.slot if self.doing in ("to_supply", "fetching", "to_slot") else None
         dock = dock_at((end.x, end.y), docks)
-        return Peer(self.id, self.driver.way, dock, self.driver.goal, target, self.doing == "idle")
+        task = str(self.task) if self.task else ""
+        lingers = self.doing == "lingering"
+        return Peer(self.id, self.driver.way, dock, self.driver.goal, target, self.doing == "idle", task, lingers)
 
 
 class PointBuilders:
@@ -116,6 +118,10 @@ class PointBuilders:
         self.done: Set[int] = set()
         self.nearest = math.inf
         self.docks = [*build.docks.values(), *(dock for dock, _ in build.supplies)]
+        self.tasks = {
+            str(number): Placement(number, tuple(sorted(build.below[number])), dock)
+            for number, dock in build.docks.items()
+        }
         self._said: Dict[str, Peer] = {each.id: each.peer(self.docks) for each in self.robots}
 
     @property
@@ -185,11 +191,12 @@ class PointBuilders:
         return best_trip(self.traffic, robot.here, docks, self.covered, self._peers(robot))
 
     def _linger(self, robot: Builder) -> None:
-        """After placing: be done once another block waits for this one or there is more to do; make room meanwhile."""
-        opens = any(robot.task in below and below <= self.placed for below in self.build.below.values())
-        free = {each.id: each.here for each in self.robots if each.doing in ("idle", "lingering")}
-        left = {number: self.build.docks[number].place for number in self._open()}
-        if opens or robot.id in nearest_pairs(free, left) or len(self.placed) == len(self.build.docks):
+        """After placing: be done once it is time, make room meanwhile."""
+        own = (robot.id, str(robot.task), robot.here)
+        # It may be there because it has not set out yet.
+        lingers = self.now - robot.until
+        is_aside = (lingers > STEP and robot.driver.is_there(self.now, robot.dock)) or lingers >= LINGERING
+        if is_done(own, self.tasks, self.placed, self._peers(robot), is_aside=is_aside):
             self._finish(robot)
             return
         found = find_berth(self.traffic, robot.here, self.covered, self._peers(robot))

@@ -11,7 +11,7 @@ from block_construction.team.choice import best_trip
 from block_construction.team.driver import Driver, conflicts
 from block_construction.team.peers import Dock, Peer, dock_at, occupied_ways
 from block_construction.team.refuge import is_off
-from block_construction.team.timed_way import TimedPoint
+from block_construction.team.timed_way import TimedPoint, place_at
 from block_construction.team.traffic import Traffic
 from block_construction.team.turns import nearest_pairs
 
@@ -77,6 +77,24 @@ def test_of_two_ways_announced_at_once_the_later_is_taken_back() -> None:
     assert one.steer(10.5, left, docks[0], (), [said[1]]) == ways[0]
     assert two.steer(10.5, right, docks[1], (), [said[0]]) == (TimedPoint(10.5, *right),)
     assert not conflicts(ways[0], two.steer(12.0, right, docks[1], (), [said[0]]), 12.0, 0.385)
+
+
+def test_who_comes_to_stand_in_a_way_for_good_is_driven_around() -> None:
+    """It was on its way across, and has nothing to do any more: it came later than the way, and will not leave it."""
+    traffic = Traffic(2.2, SITE, 0.18, 0.03)
+    driver = Driver("robot1", traffic, 0.03)
+    start, dock = (0.3, 0.27), Dock(1.7, 0.27, 1.7, 0.27)
+    crossing = Peer("robot2", (TimedPoint(8.0, 1.0, 0.27), TimedPoint(40.0, 1.0, 1.1)))
+    way = driver.steer(10.0, start, dock, (), [crossing])
+    assert way[-1][1:] == dock.place
+    stopped = Peer("robot2", (TimedPoint(12.0, 1.0, 0.30),), idle=True)
+    assert conflicts(way, stopped.way, 12.0, 0.4)
+    around = driver.steer(12.0, place_at(way, 12.0), dock, (), [stopped])
+    assert not conflicts(around, stopped.way, 12.0, 0.39)
+    # While it still has something to do it yields by itself: its way came later.
+    driver = Driver("robot1", traffic, 0.03)
+    assert driver.steer(10.0, start, dock, (), [crossing]) == way
+    assert driver.steer(12.0, place_at(way, 12.0), dock, (), [stopped._replace(idle=False)]) == way
 
 
 def test_places_are_off_a_way_by_the_clearance_and_room_to_find_it() -> None:
