@@ -203,6 +203,17 @@ def test_a_limited_stock_is_laid_out_as_such(host: Host, tmp_path: Path) -> None
     ]
 
 
+def test_nothing_lies_ready_of_what_there_is_none(host: Host, tmp_path: Path) -> None:
+    supply = tmp_path / "supply.yaml"
+    supply.write_text(
+        "places:\n  - {x: 0.2, y: 0.2, blocks: {1: 0, 2: null, 3: null}}\n  - {x: 2.0, y: 2.0, blocks: {1: 1, 3: 0}}\n"
+    )
+    mission = made(host, supply=str(supply), order="free")
+    assert [each["id"] for each in scenario(mission)["dispensers"]] == ["supply1u2", "supply1u3", "supply2u1"]
+    places = {each["data"]["units"]: [one[0] for one in each["data"]["supply"]] for each in tasks(mission)}
+    assert places == {1: [2], 2: [1], 3: [1]}
+
+
 def test_pose_noise_is_that_of_localisers(host: Host) -> None:
     localiser = scenario(made(host, pose_noise="0.008"))["robot_defaults"]["sensors"][0]
     assert (localiser["kind"], localiser["uniform_noise"]) == ("localiser", 0.008)
