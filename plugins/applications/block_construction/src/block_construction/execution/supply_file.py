@@ -91,7 +91,10 @@ def read_supply(name: str, text: str, start: Optional[_StartOf] = None) -> Suppl
     """
     try:
         document = yaml.load(text, Loader=_Loader)
-    except (yaml.YAMLError, RecursionError, ValueError, LookupError, AttributeError) as error:
+    except (LookupError, AttributeError) as error:
+        # So the library ends on a !!bool, !!int or !!timestamp that is none.
+        raise ConstructionError(f"{name}: neither YAML nor JSON (a value is not what its tag says)") from error
+    except (yaml.YAMLError, RecursionError, ValueError) as error:
         raise ConstructionError(f"{name}: neither YAML nor JSON ({' '.join(str(error).split())})") from error
     return supply_of(name, document, start)
 
