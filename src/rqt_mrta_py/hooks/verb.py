@@ -49,7 +49,7 @@ class VerbTools(Protocol):
         ...
 
     def folder(self, path: Path, *, force: bool = False) -> VerbFolder:
-        """Make a folder for what the verb leaves.
+        """Make a folder for what the verb leaves; it goes again where the verb fails before it has left anything.
 
         Args:
             path: where.

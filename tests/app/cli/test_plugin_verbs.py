@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import List, Optional
 
 import pytest
 
@@ -87,6 +88,28 @@ def test_a_verb_that_fails_is_told_in_one_line(
     stranger.write_text(verb(main))
 
     assert command("greet-all") == (status, "", f"mrta: {message}\n")
+
+
+@pytest.mark.parametrize(("first", "left"), [("", None), ("folder.write('x', ''); ", ["x"])])
+def test_a_verb_that_fails_leaves_no_empty_folder(
+    command: Command, stranger: Path, tmp_path: Path, first: str, left: Optional[List[str]]
+) -> None:
+    out = tmp_path / "out"
+    stranger.write_text(
+        verb(f"from pathlib import Path; folder = tools.folder(Path({str(out)!r})); {first}raise UsageError('no')")
+    )
+
+    assert command("greet-all") == (2, "", "mrta: no\n")
+    assert (sorted(each.name for each in out.iterdir()) if out.exists() else None) == left
+
+
+def test_a_folder_that_was_there_before_stays(command: Command, stranger: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    out.mkdir()
+    stranger.write_text(verb(f"from pathlib import Path; tools.folder(Path({str(out)!r})); raise UsageError('no')"))
+
+    assert command("greet-all") == (2, "", "mrta: no\n")
+    assert out.exists()
 
 
 def test_a_verb_whose_help_page_cannot_be_written_is_told_by_name(command: Command, stranger: Path) -> None:

@@ -43,6 +43,14 @@ def test_a_structure_without_room_around_it_is_refused() -> None:
         site_of(ARENA, library_structure("horizontal_extension"))
 
 
+def test_the_first_voxel_without_room_is_named() -> None:
+    """Of 2.2 m, 0.44 m on both sides are the robot's: 1.32 m are left, which are 16 cells."""
+    assert site_of(ARENA, Structure("row", ((1,) * 16,))).left == pytest.approx(0.46)
+    rows = ((0,) * 17, (1,) * 17)
+    with pytest.raises(ConstructionError, match=r"; voxel x 17, y 2, level 1 is beyond the 16 cells a side that have"):
+        site_of(ARENA, Structure("row", rows))
+
+
 @pytest.mark.parametrize(
     ("values", "message"),
     [

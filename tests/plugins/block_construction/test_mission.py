@@ -6,6 +6,7 @@ import dataclasses
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -201,6 +202,59 @@ def test_a_limited_stock_is_laid_out_as_such(host: Host, tmp_path: Path) -> None
         ("supply1u2", None),
         ("supply1u3", 7),
     ]
+
+
+@pytest.mark.parametrize(
+    ("places", "message"),
+    [
+        # 6, 12 and 18 cm with 4 cm between are 44 cm: 22 cm to either side of the middle, across the heading.
+        (
+            "[{x: 0.78, y: 1.1, yaw: 1.5708, blocks: [1, 2, 3]}]",
+            "supply place 1: blocks of 1 units reach into the site, which reaches from (0.98, 0.94) to (1.22, 1.26) m",
+        ),
+        (
+            "[{x: 0.02, y: 1.1, yaw: 3.1416, blocks: [1, 2, 3]}]",
+            "supply place 1: blocks of 1 units reach beyond a wall of the arena, which measures 2.2 m",
+        ),
+        (
+            "[{x: 0.2, y: 0.2, blocks: [1, 2, 3]}, {x: 0.25, y: 0.2, blocks: [1, 2, 3]}]",
+            "supply place 2: blocks of 1 units lie where those of 1 units of place 1 do; keep them apart",
+        ),
+        # For who looks left, those of 12 cm lie up to 12 cm above the middle: 5 cm above the start at y 0.3.
+        (
+            "[{x: 1.1, y: 0.35, yaw: 3.1416, blocks: [1, 2, 3]}]",
+            "supply place 1: blocks of 2 units lie 0.05 m from (1.1, 0.3) m, where a robot begins; at least 0.18 m",
+        ),
+    ],
+)
+def test_blocks_that_would_lie_in_the_way_are_refused_by_place(
+    host: Host, tmp_path: Path, places: str, message: str
+) -> None:
+    supply = tmp_path / "supply.yaml"
+    supply.write_text(f"places: {places}\n")
+    with pytest.raises(MrtaError) as caught:
+        made(host, supply=str(supply))
+    assert str(caught.value).startswith(message)
+
+
+def test_blocks_may_not_lie_where_a_robot_places_others(host: Host, tmp_path: Path) -> None:
+    """The wall's lower row is at y 0.98, so that it is placed from 0.43; those of 6 cm lie from 0.51 to 0.57."""
+    supply = tmp_path / "supply.yaml"
+    supply.write_text("arena: {start: [0.3, 0.3]}\nplaces:\n  - {x: 1.1, y: 0.35, yaw: 3.1416, blocks: [1, 2, 3]}\n")
+    message = "supply place 1: blocks of 1 units lie 0.08 m from (1.1, 0.43) m, where a robot places block 1"
+    with pytest.raises(MrtaError, match=f"^{re.escape(message)}"):
+        made(host, supply=str(supply))
+
+
+def test_nothing_lies_ready_of_what_there_is_none(host: Host, tmp_path: Path) -> None:
+    supply = tmp_path / "supply.yaml"
+    supply.write_text(
+        "places:\n  - {x: 0.2, y: 0.2, blocks: {1: 0, 2: null, 3: null}}\n  - {x: 2.0, y: 2.0, blocks: {1: 1, 3: 0}}\n"
+    )
+    mission = made(host, supply=str(supply), order="free")
+    assert [each["id"] for each in scenario(mission)["dispensers"]] == ["supply1u2", "supply1u3", "supply2u1"]
+    places = {each["data"]["units"]: [one[0] for one in each["data"]["supply"]] for each in tasks(mission)}
+    assert places == {1: [2], 2: [1], 3: [1]}
 
 
 def test_pose_noise_is_that_of_localisers(host: Host) -> None:

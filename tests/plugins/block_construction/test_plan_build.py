@@ -62,6 +62,10 @@ def test_a_supply_is_read_from_yaml_and_from_json() -> None:
             "s: places[0].yaw: found 1e+300 rad; accepted are 10 turns at most",
         ),
         ("{arena: {start: 1}, places: 1}", "s: arena.start: must be [x, y] in metres (found 1)"),
+        ("{arena: !!timestamp x, places: 1}", "s: neither YAML nor JSON (a value is not what its tag says)"),
+        ("{arena: !!bool x, places: 1}", "s: neither YAML nor JSON (a value is not what its tag says)"),
+        ("arena: &a {side: 2}\nplaces: [{<<: *a}]", "s: neither YAML nor JSON (<< is not accepted"),
+        ("{places: [{x: 1, x: 2, y: 1, blocks: [1]}]}", "s: neither YAML nor JSON ('x' comes twice"),
         ("&a [*a]", "s: the file: must be a mapping of arena, places (found [[[[[[[...]]]]]]])"),
     ],
 )
@@ -69,6 +73,20 @@ def test_what_is_no_supply_is_told_where(text: str, message: str) -> None:
     with pytest.raises(ConstructionError) as caught:
         read_supply("s", text)
     assert str(caught.value).startswith(message)
+
+
+def test_merges_that_would_double_with_every_line_are_not_carried_out() -> None:
+    lines = [f"a{each}: &a{each} {{<<: [*a{each - 1}, *a{each - 1}]}}" for each in range(1, 60)]
+    with pytest.raises(ConstructionError, match="<< is not accepted"):
+        read_supply("s", "\n".join(["a0: &a0 {x: 1}", *lines]))
+
+
+def test_of_a_device_no_more_is_read_than_of_a_file() -> None:
+    endless = Path("/dev/zero")
+    if not endless.exists():
+        pytest.skip("there is no such device here")
+    with pytest.raises(ConstructionError, match=r"^/dev/zero: 1000001 bytes; at most 1000000 are accepted"):
+        supply_named(str(endless))
 
 
 @given(st.text(max_size=60))

@@ -81,7 +81,11 @@ def test_places_that_have_no_more_blocks_are_left_out() -> None:
         ({"iterations": 10_000_001}, "setting iterations: must be 1 to 10000000 (found 10000001)"),
         ({"power": 6}, "setting power: must be 1 to 5 (found 6)"),
         ({"runs": 0}, "setting runs: must be 1 or more (found 0)"),
-        ({"rate": -0.1}, "setting rate: must be 0 or more (found -0.1)"),
+        ({"rate": -0.1}, "setting rate: must be 0 to 1 (found -0.1)"),
+        ({"rate": 1e308}, "setting rate: must be 0 to 1 (found 1e+308)"),
+        ({"stiffness": 10.1}, "setting stiffness: must be 0 to 10 (found 10.1)"),
+        ({"bound": 101.0}, "setting bound: must be 0 to 100 (found 101.0)"),
+        ({"noise": 1e308}, "setting noise: must be 0 to 10 (found 1e+308)"),
     ],
 )
 def test_settings_out_of_range_are_refused(settings: object, message: str) -> None:

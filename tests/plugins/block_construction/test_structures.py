@@ -278,3 +278,11 @@ def test_a_byte_order_mark_before_level_maps_is_passed_over(tmp_path: Path) -> N
     drawing = tmp_path / "marked.txt"
     drawing.write_bytes(b"\xef\xbb\xbf" + b"##\r\n.#\r\n")
     assert read_structure(str(drawing)).heights == ((0, 1), (1, 1))
+
+
+def test_a_drawing_with_a_name_of_two_lines_is_told_in_one(tmp_path: Path) -> None:
+    drawing = tmp_path / "two\nlines.txt"
+    with pytest.raises(ConstructionError, match=r"two\?lines\.txt: cannot be read"):
+        read_structure(str(drawing))
+    drawing.write_text("#")
+    assert read_structure(str(drawing)).name == "two?lines.txt"

@@ -91,7 +91,11 @@ def _run(plugin_verb: _PluginVerb, options: argparse.Namespace) -> int:
 
     with ProgressLine(plugin_verb.name, options.quiet, unit="%") as progress:
         tools = HostTools(plugin_verb.who, plugin_verb.manager, progress)
-        status: Any = guarded(plugin_verb.who, plugin_verb.verb.main, options, tools)
+        try:
+            status: Any = guarded(plugin_verb.who, plugin_verb.verb.main, options, tools)
+        except BaseException:
+            tools.take_back()
+            raise
     if not isinstance(status, int):
         raise HookError(f"{plugin_verb.who}: returned {shown(status)}; an exit status is needed")
     with standard_output():

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
-from typing import Any, Callable, Mapping, Union
+from typing import Any, Callable, List, Mapping, Union
 
 from rqt_mrta_py.app.guard import checked_drawing, checked_figures
 from rqt_mrta_py.app.outputs.folder import OutputFolder
@@ -52,6 +53,7 @@ class HostTools:
         self._who = who
         self._manager = manager
         self._progress = progress
+        self._made: List[Path] = []
 
     def registered(self, hook: str) -> Mapping[str, Any]:
         """Give what all plugins register by one hook."""
@@ -59,7 +61,18 @@ class HostTools:
 
     def folder(self, path: Path, *, force: bool = False) -> VerbFolder:
         """Make a folder for what the verb leaves."""
-        return _Folder(self._who, OutputFolder.create(Path(path), "", force))
+        is_new = not Path(path).exists()
+        folder = OutputFolder.create(Path(path), "", force)
+        if is_new:
+            self._made.append(folder.path)
+        return _Folder(self._who, folder)
+
+    def take_back(self) -> None:
+        """Remove folders that were made and hold nothing, for the verb has failed before it left anything."""
+        for path in self._made:
+            # What is in use, or holds anything, stays.
+            with contextlib.suppress(OSError):
+                path.rmdir()
 
     def progress(self, share: float) -> None:
         """Show which part of the work is done."""

@@ -1,4 +1,4 @@
-"""Files of text that users give: bounded in size, and where they are JSON, of the schema that is wanted."""
+"""Files that users give: bounded in size, and where they are JSON, of the schema that is wanted."""
 
 from __future__ import annotations
 
@@ -9,7 +9,33 @@ from typing import Any, Dict, Tuple
 
 from block_construction.errors import ConstructionError
 
-__all__ = ["bounded_text", "parsed_document"]
+__all__ = ["bounded_bytes", "bounded_text", "one_line", "parsed_document"]
+
+
+def one_line(given: object) -> str:
+    """Write a name or path in one line, with ``?`` for what cannot be shown: a file may be called anything."""
+    return "".join(each if each.isprintable() else "?" for each in str(given))
+
+
+def bounded_bytes(path: Path, most: int) -> bytes:
+    """Read a file.
+
+    Args:
+        path: of it.
+        most: it may have so many bytes; of a device, whose size says nothing, no more than these are read.
+
+    Raises:
+        ConstructionError: it is larger, or cannot be read.
+    """
+    try:
+        with path.open("rb") as stream:
+            content = stream.read(most + 1)
+        if len(content) > most:
+            size = max(path.stat().st_size, len(content))
+            raise ConstructionError(f"{one_line(path)}: {size} bytes; at most {most} are accepted")
+    except OSError as error:
+        raise ConstructionError(f"{one_line(path)}: cannot be read: {error.strerror or error}") from error
+    return content
 
 
 def bounded_text(path: Path, most: int) -> str:
@@ -23,15 +49,10 @@ def bounded_text(path: Path, most: int) -> str:
         ConstructionError: it is larger, or cannot be read, or is no text.
     """
     try:
-        size = path.stat().st_size
-        if size > most:
-            raise ConstructionError(f"{path}: {size} bytes; at most {most} are accepted")
         # Some editors begin a text with a byte-order mark.
-        return path.read_text(encoding="utf-8-sig")
-    except OSError as error:
-        raise ConstructionError(f"{path}: cannot be read: {error.strerror or error}") from error
+        return bounded_bytes(path, most).decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise ConstructionError(f"{path}: byte {error.start} is not UTF-8; text is expected") from error
+        raise ConstructionError(f"{one_line(path)}: byte {error.start} is not UTF-8; text is expected") from error
 
 
 def parsed_document(name: str, text: str, schema: str, keys: Tuple[str, ...]) -> Dict[str, Any]:

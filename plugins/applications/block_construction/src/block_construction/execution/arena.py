@@ -113,10 +113,23 @@ def site_of(arena: Arena, structure: Structure) -> Site:
     # The robot stands before the outermost blocks, whose middles lie half a pitch inside.
     needed = longer + 2.0 * (arena.stand_off - PITCH / 2.0 + arena.robot_radius)
     if needed > arena.side + _SLACK:
+        most = max(0, math.floor((arena.side - needed + longer + _SLACK) / PITCH))
+        column, row = _first_beyond(structure, most)
         raise ConstructionError(
             f"{structure.name}: measures {structure.columns * PITCH:g} m x {structure.rows * PITCH:g} m; the robot "
-            f"needs an arena of {needed:g} m around it (found {arena.side:g} m)"
+            f"needs an arena of {needed:g} m around it (found {arena.side:g} m); voxel x {column}, y {row}, "
+            f"level 1 is beyond the {most} cells a side that have room"
         )
     half_width, half_depth = structure.columns * PITCH / 2.0, structure.rows * PITCH / 2.0
     x, y = arena.middle
     return Site(x - half_width, y - half_depth, x + half_width, y + half_depth)
+
+
+def _first_beyond(structure: Structure, most: int) -> Tuple[int, int]:
+    """Find the first column that is filled, by row, beyond so many columns or rows."""
+    return next(
+        (x, y)
+        for y, row in enumerate(structure.heights, 1)
+        for x, height in enumerate(row, 1)
+        if height and max(x, y) > most
+    )

@@ -57,9 +57,9 @@ class Learning:
             value = getattr(self, name)
             if not 1 <= value <= most:
                 raise ConstructionError(f"setting {name}: must be 1 to {most} (found {value})")
-        for name in ("rate", "stiffness", "bound", "noise"):
-            if not getattr(self, name) >= 0.0:
-                raise ConstructionError(f"setting {name}: must be 0 or more (found {getattr(self, name)})")
+        for name, largest in (("rate", 1.0), ("stiffness", 10.0), ("bound", 100.0), ("noise", 10.0)):
+            if not 0.0 <= getattr(self, name) <= largest:
+                raise ConstructionError(f"setting {name}: must be 0 to {largest:g} (found {getattr(self, name)})")
 
 
 class LearnedPlan(NamedTuple):

@@ -94,7 +94,7 @@ class BuildProblem:
         stands = [stand_point(self.arena, place) for place in self.places]
         self.ways = Ways(ground, self.arena.cell, stands, goals)
         self._holding: Dict[int, NDArray[np.int64]] = {
-            units: np.array([index for index, each in enumerate(self.places) if units in each.stock], dtype=np.int64)
+            units: np.array([index for index, each in enumerate(self.places) if each.has(units)], dtype=np.int64)
             for units in diagram.lengths
         }
 

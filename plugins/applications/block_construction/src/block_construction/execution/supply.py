@@ -35,6 +35,10 @@ class SupplyPlace:
         """Its middle [m]."""
         return Point(self.x, self.y)
 
+    def has(self, units: int) -> bool:
+        """Tell whether there is any block of a length; none may be left of one that is listed."""
+        return self.stock.get(units, 0) != 0
+
 
 def stand_point(arena: Arena, place: SupplyPlace) -> Point:
     """Give where the robot stands to fetch from the middle of a place [m]."""

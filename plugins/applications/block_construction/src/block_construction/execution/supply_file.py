@@ -6,7 +6,7 @@ import math
 import re
 import reprlib
 from pathlib import Path
-from typing import Any, Callable, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple
 
 import yaml
 
@@ -30,6 +30,20 @@ _CORNERS: Mapping[str, Tuple[Tuple[int, ...], ...]] = {
     "corners_all": ((1, 2, 3),) * 4,
 }
 """Supplies that come with the package: what waits in the corners, from the lower left by rows."""
+
+
+class _Loader(yaml.SafeLoader):
+    """Reads mappings as they stand there: merging (``<<``) can double what there is with each line of a file."""
+
+    def flatten_mapping(self, node: yaml.MappingNode) -> None:
+        """Check the keys of a mapping, in place of merging others into it; one that comes twice would hide another."""
+        seen: Set[str] = set()
+        for key, _ in node.value:
+            if key.tag == "tag:yaml.org,2002:merge":
+                raise yaml.constructor.ConstructorError(None, None, "<< is not accepted", key.start_mark)
+            if isinstance(key, yaml.ScalarNode) and key.value in seen:
+                raise yaml.constructor.ConstructorError(None, None, f"{key.value!r} comes twice", key.start_mark)
+            seen.add(str(key.value))
 
 
 class Supply(NamedTuple):
@@ -76,7 +90,10 @@ def read_supply(name: str, text: str, start: Optional[_StartOf] = None) -> Suppl
         ConstructionError: it is no such file; says where and what is accepted.
     """
     try:
-        document = yaml.safe_load(text)
+        document = yaml.load(text, Loader=_Loader)
+    except (LookupError, AttributeError) as error:
+        # So the library ends on a !!bool, !!int or !!timestamp that is none.
+        raise ConstructionError(f"{name}: neither YAML nor JSON (a value is not what its tag says)") from error
     except (yaml.YAMLError, RecursionError, ValueError) as error:
         raise ConstructionError(f"{name}: neither YAML nor JSON ({' '.join(str(error).split())})") from error
     return supply_of(name, document, start)

@@ -83,7 +83,8 @@ def check_stands(problem: BuildProblem, ready: Tuple[Ready, ...]) -> None:
 
 
 def _laid_out(place: SupplyPlace, needed: AbstractSet[int]) -> List[Ready]:
-    lengths: Dict[int, float] = {units: body_size(units).length for units in sorted(place.stock) if units in needed}
+    lying = [units for units in sorted(place.stock) if units in needed and place.has(units)]
+    lengths: Dict[int, float] = {units: body_size(units).length for units in lying}
     along = -(sum(lengths.values()) + _GAP * (len(lengths) - 1)) / 2.0
     left_x, left_y = -math.sin(place.yaw), math.cos(place.yaw)
     found = []

@@ -9,6 +9,7 @@ from block_construction.execution.arena import Arena
 from block_construction.mission.drawing import Drawn, draw
 from block_construction.mission.fetching import check_stands, ready_blocks
 from block_construction.mission.limits import check_arena, check_levels
+from block_construction.mission.lying import check_lying
 from block_construction.mission.scenario_text import MODEL, scenario_text
 from block_construction.mission.settings import SETTINGS, BuildSettings, read_build_settings
 from block_construction.mission.starts import start_poses
@@ -40,6 +41,7 @@ def make_build(request: MissionRequest) -> MadeMission:
     drawn = draw(settings, request.registered("mrta_register_assembly_planners"), check, check_place)
     ready = ready_blocks(drawn.problem)
     check_stands(drawn.problem, ready)
+    check_lying(drawn.problem, ready)
     starts = start_poses(drawn.problem, ready, len(request.robots))
     return MadeMission(
         tasks_text(drawn, ready, _about(drawn, settings), len(request.team)),

@@ -9,6 +9,7 @@ import numpy as np
 
 from block_construction.building.procedures import TRAVEL_SPEED
 from block_construction.diagram.diagram import PlacedBlock
+from block_construction.documents import one_line
 from block_construction.execution.problem import START
 from block_construction.mission.drawing import Drawn
 from block_construction.mission.fetching import Ready
@@ -46,7 +47,7 @@ def tasks_text(drawn: Drawn, ready: Sequence[Ready], about: str, team: int) -> s
     jobs = list(_jobs(drawn))
     # Who is not alone waits for a teammate that is at work, before its block is placed or, making room, after that.
     waiting = max(job.duration for job in jobs) if team > 1 else 0.0
-    lines = [f"# {_one_line(about)}", "tasks:"]
+    lines = [f"# {one_line(about)}", "tasks:"]
     for job in jobs:
         lines += _lines(drawn, job._replace(duration=job.duration + waiting), ready, digits)
     return "\n".join(lines) + "\n"
@@ -108,11 +109,6 @@ def _lines(drawn: Drawn, job: _Job, ready: Sequence[Ready], digits: int) -> List
         "    data:",
         *(f"      {key}: {value}" for key, value in data.items()),
     ]
-
-
-def _one_line(about: str) -> str:
-    """Leave out what would end a comment: names of files may hold anything."""
-    return "".join(each if each.isprintable() else "?" for each in about)
 
 
 def _name(block: int, digits: int) -> str:

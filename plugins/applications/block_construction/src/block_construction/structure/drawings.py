@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Callable, Dict, Mapping, Union
 
+from block_construction.documents import bounded_bytes, one_line
 from block_construction.errors import ConstructionError
 from block_construction.structure.level_maps import read_level_maps, write_level_maps
 from block_construction.structure.library import library_structure, structure_names
@@ -45,15 +46,10 @@ def read_structure(given: str) -> Structure:
     reader = _READERS.get(path.suffix.lower())
     if reader is None:
         known = ", ".join(structure_names())
-        raise ConstructionError(f"{given}: neither a file *{', *'.join(_READERS)} nor one of the structures {known}")
-    try:
-        size = path.stat().st_size
-        if size > MOST_BYTES:
-            raise ConstructionError(f"{given}: {size} bytes; at most {MOST_BYTES} are accepted")
-        content = path.read_bytes()
-    except OSError as error:
-        raise ConstructionError(f"{given}: cannot be read: {error.strerror or error}") from error
-    return reader(path.name, content)
+        raise ConstructionError(
+            f"{one_line(given)}: neither a file *{', *'.join(_READERS)} nor one of the structures {known}"
+        )
+    return reader(one_line(path.name), bounded_bytes(path, MOST_BYTES))
 
 
 def structure_files(structure: Structure) -> Mapping[str, Union[str, bytes]]:
