@@ -257,6 +257,17 @@ def test_nothing_lies_ready_of_what_there_is_none(host: Host, tmp_path: Path) ->
     assert places == {1: [2], 2: [1], 3: [1]}
 
 
+def test_a_build_is_planned_with_what_supply_places_have(host: Host, tmp_path: Path) -> None:
+    """Both would be fetched from the one place, which has one, by the exact method: it does not count them."""
+    supply, drawing = tmp_path / "supply.yaml", tmp_path / "two.txt"
+    drawing.write_text(TWO)
+    supply.write_text("places:\n  - {x: 0.2, y: 0.2, blocks: {3: 1}}\n  - {x: 2.0, y: 2.0, blocks: {3: 1}}\n")
+    fetched = [each["data"]["supply"][0][0] for each in tasks(made(host, structure=str(drawing), supply=str(supply)))]
+    assert sorted(fetched) == [1, 2]
+    with pytest.raises(MrtaError, match="take the method local or greedy"):
+        made(host, structure=str(drawing), supply=str(supply), planner="exact")
+
+
 def test_pose_noise_is_that_of_localisers(host: Host) -> None:
     localiser = scenario(made(host, pose_noise="0.008"))["robot_defaults"]["sensors"][0]
     assert (localiser["kind"], localiser["uniform_noise"]) == ("localiser", 0.008)

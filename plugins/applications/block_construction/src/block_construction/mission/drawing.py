@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections import Counter
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Callable, Mapping, NamedTuple, Optional
@@ -20,6 +21,7 @@ from block_construction.execution.plan_file import read_plan
 from block_construction.execution.planners import plan_build
 from block_construction.execution.problem import BuildProblem
 from block_construction.execution.subset_programme import LARGEST_GROUP
+from block_construction.execution.supply import remaining_stock
 from block_construction.execution.supply_file import Supply, supply_named
 from block_construction.mission.published_wall import wall_diagram, wall_steps, wall_supply
 from block_construction.mission.settings import BuildSettings
@@ -108,5 +110,11 @@ def _plan(settings: BuildSettings, problem: BuildProblem) -> BuildPlan:
         check_plan(plan)
         return plan
     largest = max(map(len, problem.groups))
-    planner = settings.planner or ("exact" if largest <= LARGEST_GROUP else "local")
-    return plan_build(planner, problem, seed=settings.seed).plan
+    can_be_exact = largest <= LARGEST_GROUP and not _may_run_short(problem)
+    return plan_build(settings.planner or ("exact" if can_be_exact else "local"), problem, seed=settings.seed).plan
+
+
+def _may_run_short(problem: BuildProblem) -> bool:
+    """Tell whether a supply place has fewer blocks than there are of their length: the exact method counts none."""
+    needed = Counter(block.units for block in problem.diagram.blocks)
+    return any(there < needed[units] for (_, units), there in remaining_stock(problem.places).items())

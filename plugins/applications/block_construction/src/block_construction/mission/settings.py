@@ -31,7 +31,8 @@ SETTINGS = (
         "supply", "corners, corners_all, wall_source (the source's place for the wall), or a file", "corners"
     ),
     MissionSetting(
-        "planner", f"in which order: {', '.join(sorted(METHODS))}; default: exact, local where groups are large"
+        "planner",
+        f"in which order: {', '.join(sorted(METHODS))}; default: exact; local if groups are large or supply is short",
     ),
     MissionSetting("order", "plan (one block after the other) or free (what must lie before); default: by robots"),
     MissionSetting("pose_noise", "x and y that a robot is told are off by up to so much [m]", "0"),
