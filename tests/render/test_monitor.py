@@ -20,6 +20,7 @@ from rqt_mrta_py.render import draw_monitor
 from rqt_mrta_py.render.arena import Named, arena_part, draw_arena
 from rqt_mrta_py.render.canvas import Box, Canvas
 from rqt_mrta_py.render.curve_axes import cells, share_out, time_window, value_labels
+from rqt_mrta_py.render.curves import curves_part
 from rqt_mrta_py.render.floor import ArenaMap, extent
 from rqt_mrta_py.render.layout import ARENA, CURVES, HEADER, HEIGHT, SIDE, TEAM, TIMELINE, TITLE, WIDTH, inside, rows
 from rqt_mrta_py.render.page import Page
@@ -269,6 +270,18 @@ def test_curves_are_cut_where_a_value_is_not_a_number() -> None:
     halfway = Box(room.left + 60, room.centre[1] - 10, room.right - 60, room.centre[1] + 10)
     assert bright(joined, halfway, colour) >= 15
     assert bright(cut, halfway, colour) == 0
+
+
+def test_only_curves_of_the_minute_that_is_shown_are_named() -> None:
+    """Of many tasks the last were named, whichever were drawn; colours recur, so that one passed for another."""
+    panel = with_curve((31.0, 91.0), (5.0, 45.0)).panels[0]
+    drawn = panel.groups[0].curves[0]
+    gone = tuple(replace(drawn, label=f"block{number}", times=(1.0, 32.0)) for number in range(20))
+    both = replace(panel, groups=(replace(panel.groups[0], curves=(drawn, *gone)),))
+    view = views.patrol()
+    alone, beside = (curves_part(Page.of(replace(view, panels=(each,)))).content[0] for each in (panel, both))
+    assert [name for name, _ in beside.legend] == ["report"]
+    assert beside.legend == alone.legend
 
 
 @pytest.mark.parametrize(

@@ -134,7 +134,8 @@ def _panels(page: Page) -> Tuple[_Panel, ...]:
     panels = []
     for box, title, curves in zip(curves_boxes(len(titles)), titles, view.panels):
         shown = curves.groups[:MOST_GROUPS]
-        labels = dict.fromkeys(curve.label for group in shown for curve in group.curves)
+        # Colours recur where tasks are many: a name without its curve would pass for that of another one.
+        labels = dict.fromkeys(curve.label for _, curve in _curves(curves) if curve.times[-1] >= page.minute_ago)
         panels.append(
             _Panel(
                 box,
