@@ -181,7 +181,7 @@ def test_zooming_and_panning_move_the_window(tab: Tab) -> None:
 
 
 def test_times_do_not_run_into_the_name_of_their_axis(browser: Browser, tmp_path: Path) -> None:
-    """From a quarter of an hour on both are long (``time [h:m:s]``, ``0:00:00``); short names leave them little room."""
+    """From a quarter of an hour on both are long, ``time [h:m:s]`` and ``0:00:00``; short names leave little room."""
     usual, end = usual_mission(), START + 1800.0
     record = replace(usual.view.record, end=end, tasks=(), allocations=())
     page = tmp_path / "long.html"
