@@ -9,7 +9,7 @@ from typing import List
 
 from bootstrap import environment, shell
 
-_FOLDERS = ("msg", "srv", "plugins/messages/*/msg", "plugins/messages/*/srv")
+_FOLDERS = ("msg", "srv", "plugins/*/*/msg", "plugins/*/*/srv")
 
 
 def provide(checkout: Path) -> None:
@@ -42,7 +42,7 @@ def provide(checkout: Path) -> None:
 
 
 def message_files(checkout: Path) -> List[Path]:
-    """List the message and service definitions of the main package and of those under plugins/messages.
+    """List the message and service definitions of the main package and of the packages under plugins.
 
     Args:
         checkout: Its root folder.

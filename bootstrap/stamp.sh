@@ -50,7 +50,7 @@ read_stamp() {
 look_around() {
     look_at_machine
     current[sources]=$(digest 'setup.py' 'bootstrap/*.py' 'bootstrap/*.sh')
-    current[messages]=$(digest 'msg/*.msg' 'srv/*.srv' 'plugins/messages/*/msg/*.msg' 'plugins/messages/*/srv/*.srv')
+    current[messages]=$(digest 'msg/*.msg' 'srv/*.srv' 'plugins/*/*/msg/*.msg' 'plugins/*/*/srv/*.srv')
 }
 
 look_at_machine() {

@@ -28,12 +28,13 @@ def generate(out: Path, files: List[str]) -> subprocess.CompletedProcess[str]:
     )
 
 
-def test_definitions_of_the_main_package_and_of_message_plugins_are_found(tmp_path: Path) -> None:
+def test_definitions_of_the_main_package_and_of_plugins_are_found(tmp_path: Path) -> None:
     main = package(tmp_path, "rqt_mrta_py", Event="string text\n")
     other = package(tmp_path / "plugins/messages/other_msgs", "other_msgs", Bid="float64 cost\n")
-    package(tmp_path / "plugins/applications/app", "app", Unasked="string text\n")
+    app = package(tmp_path / "plugins/applications/app", "app", Progress="string text\n")
+    package(tmp_path / "elsewhere/app", "elsewhere", Unasked="string text\n")
     (tmp_path / "msg/README.md").write_text("not a definition", encoding="utf-8")
-    assert [str(path) for path in messages.message_files(tmp_path)] == [*main, *other]
+    assert [str(path) for path in messages.message_files(tmp_path)] == [*main, *app, *other]
 
 
 @pytest.mark.ros

@@ -52,7 +52,10 @@ def test_a_changed_source_calls_for_all_steps(miniature: Miniature, source: str)
     assert miniature.set_ups() == ["run all", "run all"]
 
 
-@pytest.mark.parametrize("definition", ["msg/Event.msg", "srv/Ask.srv", "plugins/messages/other_msgs/msg/Bid.msg"])
+@pytest.mark.parametrize(
+    "definition",
+    ["msg/Event.msg", "srv/Ask.srv", "plugins/messages/other_msgs/msg/Bid.msg", "plugins/applications/app/msg/At.msg"],
+)
 def test_a_changed_message_calls_for_message_classes_only(miniature: Miniature, definition: str) -> None:
     miniature.run("list")
     path = miniature.folder / definition

@@ -8,7 +8,7 @@ import sys
 from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
-from typing import Iterable, Optional, Tuple
+from typing import Iterable, List, Optional, Tuple
 
 import numpy as np
 import pytest
@@ -20,12 +20,13 @@ from rqt_mrta_py.render import draw_monitor
 from rqt_mrta_py.render.arena import Named, arena_part, draw_arena
 from rqt_mrta_py.render.canvas import Box, Canvas
 from rqt_mrta_py.render.curve_axes import cells, share_out, time_window, value_labels
+from rqt_mrta_py.render.curves import curves_part
 from rqt_mrta_py.render.floor import ArenaMap, extent
 from rqt_mrta_py.render.layout import ARENA, CURVES, HEADER, HEIGHT, SIDE, TEAM, TIMELINE, TITLE, WIDTH, inside, rows
 from rqt_mrta_py.render.page import Page
 from rqt_mrta_py.render.palette import SEVERITY_COLOURS, STATE_COLOURS, Colour, TaskColours
 from rqt_mrta_py.render.team import LIGHT_OFFSET, light_radius
-from rqt_mrta_py.render.text import text_width
+from rqt_mrta_py.render.text import Style, text_width
 from rqt_mrta_py.render.timeline import lanes
 from tests.render import views
 
@@ -269,6 +270,46 @@ def test_curves_are_cut_where_a_value_is_not_a_number() -> None:
     halfway = Box(room.left + 60, room.centre[1] - 10, room.right - 60, room.centre[1] + 10)
     assert bright(joined, halfway, colour) >= 15
     assert bright(cut, halfway, colour) == 0
+
+
+class Words(Canvas):
+    """Remembers what is written: from where to where, at which height."""
+
+    def __init__(self) -> None:
+        super().__init__(np.zeros((HEIGHT, WIDTH, 3), np.uint8))
+        self.written: List[Tuple[float, float, float]] = []
+
+    def text(  # noqa: PLR0917 - as a canvas has it
+        self, x: float, y: float, text: str, style: Style, colour: Colour, ground: Colour, anchor: float = 0.0
+    ) -> float:
+        width = text_width(text, style)
+        self.written.append((y, x - anchor * width, x + (1.0 - anchor) * width))
+        return super().text(x, y, text, style, colour, ground, anchor)
+
+
+@pytest.mark.parametrize("now", [1411.0, 1414.0, 1431.0])
+def test_times_below_curves_run_into_nothing(now: float) -> None:
+    """The first one was written over the name of the axis."""
+    curve = with_curve((now - 60.0, now), (0.0, 1.0)).panels[0].groups[0]
+    panel = CurvePanel("Cost", "m", 1.0, None, tuple(replace(curve, label=f"robot{n}") for n in (1, 2, 3)))
+    canvas, part = Words(), curves_part(Page.of(replace(views.patrol(), panels=(panel,), now=now)))
+    part.draw(canvas, part.content)
+    below = sorted(each for each in canvas.written if each[0] > CURVES.bottom - 24.0)
+    assert len(below) >= 7
+    times = sorted((left, right) for _, left, right in below)
+    assert all(right < left for (_, right), (left, _) in zip(times, times[1:]))
+
+
+def test_only_curves_of_the_minute_that_is_shown_are_named() -> None:
+    """Of many tasks the last were named, whichever were drawn; colours recur, so that one passed for another."""
+    panel = with_curve((31.0, 91.0), (5.0, 45.0)).panels[0]
+    drawn = panel.groups[0].curves[0]
+    gone = tuple(replace(drawn, label=f"block{number}", times=(1.0, 32.0)) for number in range(20))
+    both = replace(panel, groups=(replace(panel.groups[0], curves=(drawn, *gone)),))
+    view = views.patrol()
+    alone, beside = (curves_part(Page.of(replace(view, panels=(each,)))).content[0] for each in (panel, both))
+    assert [name for name, _ in beside.legend] == ["report"]
+    assert beside.legend == alone.legend
 
 
 @pytest.mark.parametrize(

@@ -51,6 +51,12 @@ def test_time_axis_labels_are_round_in_the_unit_of_the_labels(days: int) -> None
     assert all(label.isdecimal() for _, label in axis.ticks(11))
 
 
+@pytest.mark.parametrize("high", [4.2, 4.4, 4.9])
+def test_one_tick_alone_is_not_left_where_two_can_be(high: float) -> None:
+    """Axes up to 4.5 had 0 alone, and so no scale."""
+    assert ticks(0.0, high, 3) == (0.0, 2.0, 4.0)
+
+
 @given(st.floats(-1e4, 1e4), st.floats(1e-3, 1e6), st.integers(2, 15))
 def test_ticks_are_few_and_lie_in_the_range(low: float, span: float, most: int) -> None:
     found = ticks(low, low + span, most)

@@ -34,6 +34,7 @@ __all__ = ["curves_part", "fresh_curves_parts"]
 
 _NAME = Style(12, bold=True)
 _THICK_FROM = 60.0
+_TIME_FROM = 10.0
 _KEY, _BETWEEN_KEYS, _LEAST_KEY = 17.0, 13.0, 76.0
 
 
@@ -134,7 +135,8 @@ def _panels(page: Page) -> Tuple[_Panel, ...]:
     panels = []
     for box, title, curves in zip(curves_boxes(len(titles)), titles, view.panels):
         shown = curves.groups[:MOST_GROUPS]
-        labels = dict.fromkeys(curve.label for group in shown for curve in group.curves)
+        # Colours recur where tasks are many: a name without its curve would pass for that of another one.
+        labels = dict.fromkeys(curve.label for _, curve in _curves(curves) if curve.times[-1] >= page.minute_ago)
         panels.append(
             _Panel(
                 box,
@@ -189,10 +191,14 @@ def _draw_charts(canvas: Canvas, panel: _Panel) -> None:
         if panel.reference is not None:
             canvas.dashes(cell.left, cell.right, panel.up(cell)(panel.reference), RED)
     _draw_lines(canvas, panel, panel.lines)
-    canvas.text(panel.box.left + 10, room.bottom + 8, f"t [{panel.axis.unit}]", SMALL, MUTED, WHITE)
+    canvas.text(panel.box.left + _TIME_FROM, room.bottom + 8, _time_name(panel), SMALL, MUTED, WHITE)
     if panel.groups > len(panel.charts):
         words = f"+{panel.groups - len(panel.charts)} more"
         canvas.text(room.right, panel.box.top + 37, words, SMALL, MUTED, WHITE, anchor=1.0)
+
+
+def _time_name(panel: _Panel) -> str:
+    return f"t [{panel.axis.unit}]"
 
 
 def _draw_legend(canvas: Canvas, panel: _Panel) -> None:
@@ -225,14 +231,19 @@ def _draw_axes(canvas: Canvas, box: Box, panel: _Panel, *, first: bool, last: bo
     canvas.fill(box, FAINT)
     axis = panel.axis
     across = TimeAxis(axis.low, axis.high, box.left, box.right - 1.0, axis.zero)
-    for time, label in across.ticks(max(2, min(int(box.width / 40.0), 7))):
-        column = across(time)
+    ticks = [(across(time), label) for time, label in across.ticks(max(2, min(int(box.width / 40.0), 7)))]
+    for column, _ in ticks:
         canvas.fill(Box(round(column), box.top, round(column) + 1, box.bottom), GRID)
-        if last:
-            # A label at the end of one chart must not run into one at the beginning of the next.
+    if last:
+        # A label must run neither into one of the next chart nor into the name of the axis.
+        name_end = panel.box.left + _TIME_FROM + text_width(_time_name(panel), SMALL) + 4.0
+        room_to = box.right
+        for column, label in reversed(ticks):
             half = text_width(label, SMALL) / 2.0
-            middle = min(max(column, box.left + half), box.right - half)
-            canvas.text(middle, box.bottom + 10, label, SMALL, MUTED, WHITE, anchor=0.5)
+            middle = max(min(column, box.right - half), max(box.left, name_end) + half)
+            if middle + half <= room_to:
+                canvas.text(middle, box.bottom + 10, label, SMALL, MUTED, WHITE, anchor=0.5)
+                room_to = middle - half - 2.0
     canvas.frame(box, GRID)
     up = panel.up(box)
     if first:

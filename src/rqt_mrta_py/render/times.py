@@ -125,10 +125,22 @@ def number(value: float) -> str:
 
 
 def ticks(low: float, high: float, most: int) -> Tuple[float, ...]:
-    """Give round numbers from ``low`` to ``high``, at most so many (two or more), in order."""
+    """Give round numbers from ``low`` to ``high``, in order: two where it can be, for one alone tells no scale.
+
+    Args:
+        low: where they begin.
+        high: where they end.
+        most: how many there may be, two or more.
+    """
     if not high > low:
         return (low,)
     step = _round_step((high - low) / (most - 1))
+    found = _multiples(low, high, step)
+    finer = _multiples(low, high, _round_step(step * 0.4)) if len(found) < 2 else found
+    return finer if len(finer) <= most else found
+
+
+def _multiples(low: float, high: float, step: float) -> Tuple[float, ...]:
     return tuple(k * step for k in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1))
 
 

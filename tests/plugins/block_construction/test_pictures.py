@@ -16,6 +16,7 @@ from block_construction.pictures.ways import plan_drawing
 
 from rqt_mrta_py.app.guard import checked_drawing
 from rqt_mrta_py.hooks import Area, Drawing, LineStyle, Stroke, Words
+from rqt_mrta_py.render.text import Style, text_width
 from tests.plugins.block_construction.builds import RING_BLOCKS, problem
 
 pytest.importorskip("scipy", reason="SciPy finds ways")
@@ -62,12 +63,22 @@ def test_each_group_of_a_plan_has_a_panel_with_its_ways() -> None:
     drawing = checked_drawing("test", plan_drawing(plan))
     assert [panel.title for panel in drawing.panels] == [
         "layer 1, level 1: steps 1 to 4",
-        "layer 1, level 2: steps 5 to 5",
+        "layer 1, level 2: step 5",
     ]
     strokes = shapes(drawing, Stroke)
     assert len(strokes) == 2 * len(plan.steps)
     driven = sum(math.dist(a, b) for stroke in strokes for a, b in zip(stroke.points, stroke.points[1:]))
     assert driven == pytest.approx(plan.cost.total)
+
+
+def test_numbers_of_supply_places_have_room_in_pictures_of_four_columns() -> None:
+    """Plans name places by their numbers; pictures of four groups and more left them out."""
+    plan = plan_build("exact", problem([[2, 2, 1], [1, 0, 1], [1, 1, 1]], [*RING_BLOCKS, (1, 1, 2, 2)])).plan
+    places = [each for each in shapes(plan_drawing(plan), Words) if each.text[1:2] == ":"]
+    assert places
+    for place in places:
+        # An arena of 2.2 m is 363 pixels wide in such a picture.
+        assert place.room * 363.0 / 2.2 > text_width("4: 1,2,3", Style(place.size))
 
 
 def test_what_was_tried_is_drawn_with_the_least_so_far() -> None:

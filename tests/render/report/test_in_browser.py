@@ -180,6 +180,22 @@ def test_zooming_and_panning_move_the_window(tab: Tab) -> None:
     assert tab.run(_WINDOW)[0] > 10
 
 
+def test_times_do_not_run_into_the_name_of_their_axis(browser: Browser, tmp_path: Path) -> None:
+    """From a quarter of an hour on both are long, ``time [h:m:s]`` and ``0:00:00``; short names leave little room."""
+    usual, end = usual_mission(), START + 1800.0
+    record = replace(usual.view.record, end=end, tasks=(), allocations=())
+    page = tmp_path / "long.html"
+    page.write_text(report_html(replace(usual, view=replace(usual.view, record=record, now=end), explanations=())))
+    tab = browser.open(page, hash_="#t=900")
+    words = "document.querySelectorAll('#axis text')"
+    assert tab.run(f"{words}[0].textContent") == "time [h:m:s]"
+    name, first = (
+        tab.run(f"(() => {{ const b = {words}[{n}].getBoundingClientRect(); return [b.left, b.right]; }})()")
+        for n in (0, 1)
+    )
+    assert name[1] < first[0]
+
+
 def test_the_overview_moves_the_window_too(tab: Tab) -> None:
     plot: Dict[str, float] = tab.run(_PLOT)
     y = tab.run("document.getElementById('overview').getBoundingClientRect().top") + 10

@@ -86,6 +86,16 @@ def test_figures_stand_with_what_they_are_told_of() -> None:
     assert "mission.bag: 12,345 messages, 2.3 MB" in text
 
 
+def test_figures_of_a_build_are_explained_and_small_ones_not_rounded_away() -> None:
+    """Errors of a third of a millimetre were told as 0.00, of nothing."""
+    usual = usual_mission()
+    build = {"placed": 14, "mean_error": 0.000349409, "max_height_error": 0.0}
+    record = replace(usual.view.record, statistics={**usual.view.record.statistics, "build": build})
+    text = report_html(replace(usual, view=replace(usual.view, record=record)))
+    told = "<dd>placed 14, mean error 0.00035, max height error 0.00<small>blocks, how many of them lie right"
+    assert told in text
+
+
 def test_parameters_that_differ_name_their_robots() -> None:
     text = report_html(usual_mission())
     assert "<code>broadcast_rate</code></th><td>5.00</td>" in text

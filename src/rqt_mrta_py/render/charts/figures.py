@@ -124,6 +124,8 @@ def _words(value: Any) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float):
+        if 0.0 < abs(value) < 0.01:
+            return f"{value:.2g}"
         return f"{value:.2f}" if abs(value) < 100.0 else f"{value:.5g}"
     if isinstance(value, Mapping):
         told = {key: each for key, each in value.items() if each != 0}

@@ -23,6 +23,9 @@ _MEANINGS: Mapping[str, str] = {
     "task_shares": "share of all working time that went into a task",
     "travel": "length of the ways that were driven [m]",
     "arena_coverage": "share of the arena's floor that was come by",
+    "build": "blocks, how many of them lie right and how far off [m]; how long robots fetched and placed and how far "
+    "they drove for it; how long they waited for a way [s], how near they came to each other [m], bumps into anything "
+    "but blocks",
 }
 
 

@@ -42,15 +42,16 @@ painters.overview = () => {
 
 painters.axis = () => {
   const svg = draw('svg', {viewBox: `0 0 ${geometry.width} ${axisHeight}`, width: geometry.width, height: axisHeight, 'aria-hidden': 'true'});
-  svg.append(draw('text', {x: 0, y: 20, class: 'gutter'}, end >= 900000 ? 'time [h:m:s]' : 'time [s]'));
+  const name = end >= 900000 ? 'time [h:m:s]' : 'time [s]', nameEnd = textWidth(name, '12px') + 6;
+  svg.append(draw('text', {x: 0, y: 20, class: 'gutter'}, name));
   const x = xOf(look.now), inside = look.now >= look.from && look.now <= look.to;
   const flag = seconds(look.now), width = textWidth(flag, '600 11px') + 12;
   const middle = clamp(x, geometry.gutter + width / 2 - 6, geometry.width - width / 2 - 1);
   for (const [time, text] of ticks()) {
     const at = xOf(time);
     svg.append(draw('line', {x1: at, x2: at, y1: axisHeight - 6, y2: axisHeight, class: 'tick'}));
-    const half = textWidth(text, '11px') / 2 + 4;
-    if (!inside || Math.abs(at - middle) > width / 2 + half) svg.append(draw('text', {x: at, y: 18, class: 'tick'}, text));
+    const half = textWidth(text, '11px') / 2 + 4, place = Math.max(at, nameEnd + half);
+    if (!inside || Math.abs(place - middle) > width / 2 + half) svg.append(draw('text', {x: place, y: 18, class: 'tick'}, text));
   }
   if (inside) {
     svg.append(draw('path', {d: `M${x - 5},${axisHeight - 8}h10l-5,8z`, class: 'flag'}));

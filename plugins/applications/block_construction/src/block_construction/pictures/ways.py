@@ -17,6 +17,8 @@ _MOST_PANELS = 24
 _MOST_COLUMNS = 4
 _FETCHING, _PLACING = Tint(8, 0.25), Tint(5, 0.2)
 _STAND = 0.02
+_PLACE_ROOM = 0.38
+"""For a place's number and what it holds: places in the corners are 0.2 m from the walls."""
 
 
 def plan_drawing(plan: BuildPlan) -> Drawing:
@@ -62,7 +64,8 @@ def _group(plan: BuildPlan, problem: BuildProblem, first: int, end: int) -> Draw
         covered |= problem.covers[step.block - 1]
         last = step.block
     level = problem.block(plan.steps[first].block)
-    title = f"layer {level.layer}, level {level.placement.z}: steps {first + 1} to {end}"
+    steps = f"step {end}" if end == first + 1 else f"steps {first + 1} to {end}"
+    title = f"layer {level.layer}, level {level.placement.z}: {steps}"
     return DrawingPanel(title, (*shapes, *ways, *_places(problem), *words))
 
 
@@ -78,7 +81,7 @@ def _places(problem: BuildProblem) -> List[Shape]:
         box = rectangle(place.x - 0.1, place.y - 0.1, place.x + 0.1, place.y + 0.1)
         shapes.append(Area(box, Tint(Drawing.MUTED, 0.75), Tint(Drawing.MUTED)))
         held = ",".join(map(str, sorted(place.stock)))
-        shapes.append(Words(place.x, place.y, f"{place.number}: {held}", room=0.3))
+        shapes.append(Words(place.x, place.y, f"{place.number}: {held}", room=_PLACE_ROOM))
     start = Point(*problem.arena.start)
     return [*shapes, Area(_around(start), Tint(Drawing.INK)), Words(start.x, start.y - 0.07, "start", room=0.3)]
 

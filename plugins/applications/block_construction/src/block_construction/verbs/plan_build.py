@@ -34,7 +34,12 @@ def _add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--method", default="local", help=f"{methods} (default: local)")
     parser.add_argument("--seed", type=int, default=0, help="of all chance (default: 0)")
     parser.add_argument(
-        "--set", metavar="KEY=VALUE", dest="settings", action="append", default=[], help="a setting of the method"
+        "--set",
+        metavar="KEY=VALUE",
+        dest="settings",
+        action="append",
+        default=[],
+        help="a setting of the method; may be given several times, and a wrong name lists what there is",
     )
     parser.add_argument("--level-first", action="store_true", help="finish each level before the next is begun")
     parser.add_argument("--out", metavar="DIR", type=Path, help="write plan and pictures to this folder")

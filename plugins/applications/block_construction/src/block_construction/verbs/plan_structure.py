@@ -16,6 +16,7 @@ from block_construction.pictures.curves import tried_figure
 from block_construction.pictures.isometric import isometric_drawing
 from block_construction.pictures.levels import level_drawing
 from block_construction.structure.drawings import read_structure, structure_files
+from block_construction.structure.library import structure_names
 from rqt_mrta_py.hooks import UsageError, Verb, VerbTools
 
 __all__ = ["PLAN_STRUCTURE", "SCHEMA"]
@@ -34,16 +35,25 @@ def _lengths(text: str) -> Tuple[int, ...]:
 
 
 def _add_arguments(parser: ArgumentParser) -> None:
-    parser.add_argument("structure", metavar="FILE", help="a .vox, .npy or .txt file, or a structure of the package")
+    known = ", ".join(structure_names())
+    parser.add_argument("structure", metavar="FILE", help=f"a .vox, .npy or .txt file, or one of the package: {known}")
     parser.add_argument(
         "--method",
         default="exact",
         help="exact, fala, pla, fala-tuned, pla-tuned or any other planner (default: exact)",
     )
-    parser.add_argument("--blocks", metavar="UNITS", default=",".join(map(str, DEFAULT_LENGTHS)), help="default: 1,2,3")
+    lengths = ",".join(map(str, DEFAULT_LENGTHS))
+    parser.add_argument(
+        "--blocks", metavar="UNITS", default=lengths, help=f"lengths of blocks, in cells of 8 cm (default: {lengths})"
+    )
     parser.add_argument("--seed", type=int, default=0, help="of all chance (default: 0)")
     parser.add_argument(
-        "--set", metavar="KEY=VALUE", dest="settings", action="append", default=[], help="a setting of the planner"
+        "--set",
+        metavar="KEY=VALUE",
+        dest="settings",
+        action="append",
+        default=[],
+        help="a setting of the planner; may be given several times, and a wrong name lists what there is",
     )
     parser.add_argument("--out", metavar="DIR", type=Path, help="write diagram, structure and pictures to this folder")
     parser.add_argument("--force", action="store_true", help="write into DIR even if it is not empty")
