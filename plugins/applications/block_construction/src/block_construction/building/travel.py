@@ -98,11 +98,8 @@ class Travel:
         Returns:
             The velocities; None once it is time to end the task.
         """
-        lingering = self._lingering = self._lingering or Lingering(team, self._state.task)
-        twist = lingering.step(perception, felt.pose, self._helpers.site)
-        if lingering.journey is not None:
-            self._say(lingering.journey, "idle")
-        return twist
+        self._lingering = self._lingering or Lingering(team, self._state.task)
+        return self._make_room(self._lingering, perception, felt)
 
     def go_aside(self, perception: Perception, felt: Felt, team: Team) -> Optional[Twist]:
         """Go where it is in nobody's way.
@@ -116,11 +113,12 @@ class Travel:
             The velocities; None once it is there, or has tried for long enough.
         """
         aside = self._aside = self._aside or Aside(team)
-        if aside.is_over:
-            return None
-        twist = aside.step(perception, felt.pose, self._helpers.site)
-        if aside.journey is not None:
-            self._say(aside.journey, "idle")
+        return None if aside.is_over else self._make_room(aside, perception, felt)
+
+    def _make_room(self, way: Union[Aside, Lingering], perception: Perception, felt: Felt) -> Optional[Twist]:
+        twist = way.step(perception, felt.pose, self._helpers.site)
+        if way.journey is not None:
+            self._say(way.journey, "idle")
         return twist
 
     def _best(self, perception: Perception, felt: Felt, supply: Supply) -> Optional[Fetch]:
