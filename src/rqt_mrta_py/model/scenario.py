@@ -291,6 +291,16 @@ class ScenarioSpec:
         """Whether the mission ends with its last task, so that only the latest time of its end is known before."""
         return self.linger is not None
 
+    def planned_duration(self, asked: Optional[float]) -> Optional[float]:
+        """Give how long the mission is planned to take [s]; None if nobody knows.
+
+        Args:
+            asked: what somebody asks for instead of its own duration; None if nobody does [s].
+        """
+        if asked is not None:
+            return asked
+        return None if self.is_open_ended else self.duration
+
     @property
     def first_bodies(self) -> Tuple[LooseBody, ...]:
         """The bodies that there are at the start: those listed, then the first one of each dispenser."""

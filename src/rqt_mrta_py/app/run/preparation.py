@@ -51,8 +51,7 @@ class Preparation:
     def observe(self) -> Observation:
         """Make what is derived from the stream; to be called once."""
         further: Tuple[Listener, ...] = (*self._exporters.values(), *self._figures.values())
-        is_unknown = self.scenario.is_open_ended and self._request.duration is None
-        planned = None if is_unknown else self.duration
+        planned = self.scenario.planned_duration(self._request.duration)
         return Observation(self.mission, self.codec, self._host.manager, planned, further)
 
     def plan(self, observation: Observation, clock: RunClock, last_tick: int) -> WatchPlan:

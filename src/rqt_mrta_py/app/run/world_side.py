@@ -55,10 +55,9 @@ class WorldSide:
         self.mission = mission
         self.scenario: ScenarioSpec = mission.scenario
         self.seed = mission.seed
-        self._planned = duration
+        self._planned = self.scenario.planned_duration(duration)
         if duration is None:
             duration = self.scenario.duration
-            self._planned = None if self.scenario.is_open_ended else duration
         self.clock = RunClock(self.scenario.control_rate)
         self.last_tick = self.clock.ticks(duration)
         if self.last_tick < 1:
